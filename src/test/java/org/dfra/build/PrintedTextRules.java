@@ -54,6 +54,9 @@ abstract class PrintedTextRules {
           "org.dfra.benchmarks.attack.HonestRobot",
           "org.dfra.benchmarks.attack.NeutralLoad",
           "org.dfra.benchmarks.attack.Operator",
+          "org.dfra.benchmarks.call.BusyTask",
+          "org.dfra.benchmarks.call.CallClientTask",
+          "org.dfra.benchmarks.call.CallServerTask",
           "org.dfra.benchmarks.task.TaskMain",
           "org.dfra.benchmarks.MicroTask", // likewise
           "org.dfra.cli.archive.ArchivedClasses", // the help of commands, to nobody

@@ -155,7 +155,8 @@ class DistIT {
               each ->
                   each.matches(
                       "dfra-(flight|examples|experiments|benchmarks|sim|testing|fixtures)\\.jar"))
-          .noneMatch(each -> each.matches("(mavlink|xchart|batik|commons|jmh|jopt)-.*"));
+          .noneMatch(
+              each -> each.matches("(mavlink|xchart|batik|commons|jeromq|jmh|jnacl|jopt)-.*"));
       long bytes = 0;
       for (Path each : jars) {
         bytes += Files.size(each);

@@ -12,6 +12,7 @@ import org.dfra.benchmarks.call.CallKind;
 import org.dfra.benchmarks.call.CallPeer;
 import org.dfra.benchmarks.call.CallResults;
 import org.dfra.benchmarks.call.CallSettings;
+import org.dfra.benchmarks.call.EchoService;
 import org.dfra.benchmarks.call.JitSetting;
 import org.jspecify.annotations.Nullable;
 
@@ -21,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class CallComparisonBench implements Bench {
 
-  private static final int COLUMNS = 150;
+  private static final int COLUMNS = 132;
 
   private final List<CallComparison> chosen;
   private final CallSettings settings;
@@ -77,9 +78,15 @@ final class CallComparisonBench implements Bench {
             + (settings.repetitions() == 1 ? " repetition" : " repetitions")
             + ", each in two new JVMs; the lowest and the highest ratio are in parentheses.");
     report.say(
-        "Switches (voluntary context switches) and CPU time are those of the client + those of the"
-            + " server. The kernel forgets the switches of a thread that ends: only those parts of a"
-            + " measurement count in which none ended. \"≥\": there was no such part.");
+        "Columns: p50 and p99 of a small call, µs; p50 of a call that returns "
+            + EchoService.VALUES
+            + " doubles, µs; small calls per second by "
+            + CallKind.CALLERS.threads()
+            + " threads at once; voluntary context switches and CPU time, µs, for a small call, of"
+            + " the client + of the server.");
+    report.say(
+        "The kernel forgets the switches of a thread that ends: only those parts of a measurement"
+            + " count in which none ended. \"≥\": there was no such part.");
     if (settings.equals(CallSettings.QUICK)) {
       report.say("This is a short run: it shows that all peers answer, not how fast.");
     }
@@ -94,10 +101,6 @@ final class CallComparisonBench implements Bench {
     for (JitSetting each : JitSetting.values()) {
       report.say("  " + each.label() + ": " + each.description() + ".");
     }
-    report.say(
-        "  "
-            + CallKind.CALLERS.label()
-            + ": as many threads of the client make small calls at once.");
   }
 
   private List<CallCondition> conditions() {

@@ -51,7 +51,10 @@ final class CallLoad implements AutoCloseable {
     int each = calls / kind.threads();
     if (each < 1) {
       throw new IllegalArgumentException(
-          calls + " calls are too few for " + kind.threads() + " threads");
+          calls
+              + " calls are too few for "
+              + kind.threads()
+              + " threads; make at least one by each");
     }
     while (callers.size() < kind.threads()) {
       callers.add(connection.caller());

@@ -127,21 +127,26 @@ public final class CallResults {
     return Spread.of(ratios);
   }
 
-  /** A row for each peer that was measured. */
+  /**
+   * A row for each peer that was measured. Columns: p50 and p99 of a small call, µs; p50 of the
+   * call with the larger result, µs; small calls per second by many threads at once; voluntary
+   * context switches and CPU time, µs, for a small call, client + server; after what is compared,
+   * its ratio to {@link CallPeer#REFERENCE}.
+   */
   public Table table() {
     String over = "× " + CallPeer.REFERENCE.label();
     Table table =
         new Table(
             "peer",
-            "small p50 µs",
-            "p99 µs",
+            "small p50",
+            "p99",
             over,
-            EchoService.VALUES + " doubles p50 µs",
+            EchoService.VALUES + " p50",
             over,
-            CallKind.CALLERS.threads() + " callers calls/s",
+            CallKind.CALLERS.threads() + ": 1/s",
             over,
-            "switches per small call",
-            "CPU µs per small call");
+            "switches",
+            "CPU");
     for (CallPeer peer : measured.keySet()) {
       table.row(
           peer.label(),

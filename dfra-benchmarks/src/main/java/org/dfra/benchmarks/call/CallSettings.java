@@ -30,11 +30,13 @@ public record CallSettings(
   /** To try it; the figures are not to be compared. */
   public static final CallSettings QUICK = new CallSettings(1, 1_000, 500, 200, 200, 640, 640);
 
+  /** How many calls of a kind are made before, to warm up. */
   int warmUp(CallKind kind) {
     return of(kind, List.of(smallWarmUp, valuesWarmUp, callersWarmUp));
   }
 
-  int calls(CallKind kind) {
+  /** How many calls of a kind are measured. */
+  public int calls(CallKind kind) {
     return of(kind, List.of(smallCalls, valuesCalls, callersCalls));
   }
 

@@ -61,6 +61,16 @@ public final class PeerProcesses implements AutoCloseable {
     }
   }
 
+  /** Process ID of the client. */
+  public long clientPid() {
+    return client.pid();
+  }
+
+  /** Process ID of the server. */
+  public long serverPid() {
+    return server.pid();
+  }
+
   /** The server's answer to {@link EchoService#echo}, as the client receives it. */
   public long echo(long value) throws IOException, InterruptedException {
     return Long.parseLong(ask(client, "echo " + value, "answer "));
