@@ -68,6 +68,20 @@ public final class CallComparison {
   }
 
   /**
+   * The cores of this computer that a condition uses.
+   *
+   * @throws IOException if this computer cannot have the condition
+   */
+  public static CoreAssignment cores(CallCondition condition)
+      throws IOException, InterruptedException {
+    try {
+      return condition.assign(Cores.ofThisComputer());
+    } catch (ConditionUnavailableException e) {
+      throw new IOException("\"" + condition.label() + "\" needs " + e.need(), e);
+    }
+  }
+
+  /**
    * Measures.
    *
    * @param progress is notified of each repetition
@@ -75,12 +89,7 @@ public final class CallComparison {
    *     fails or its answer is wrong
    */
   public CallResults run(Consumer<String> progress) throws IOException, InterruptedException {
-    CoreAssignment cores;
-    try {
-      cores = condition.assign(Cores.ofThisComputer());
-    } catch (ConditionUnavailableException e) {
-      throw new IOException("\"" + condition.label() + "\" needs " + e.need(), e);
-    }
+    CoreAssignment cores = cores(condition);
     CallResults results = new CallResults(title());
     List<TaskProcess> busy = new ArrayList<>();
     try {
