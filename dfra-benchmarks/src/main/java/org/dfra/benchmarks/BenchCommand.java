@@ -33,7 +33,7 @@ import picocli.CommandLine.Spec;
       "",
       "Benchmarks:",
       "  attack        a robot that other programs attack (twelve minutes; less with --seconds)",
-      "  call          a call between processes; also RMI, JERI, JeroMQ (25 minutes; less with --only)",
+      "  call          a call between processes; also RMI, JERI, JeroMQ (40 minutes; less with --only)",
       "  calls         a small remote call, and the check of its bytes (fifteen seconds)",
       "  distributed   lookup, queries, staleness, renewals, events (four minutes)",
       "  events        of these, only the latency of events",

@@ -6,9 +6,11 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.dfra.benchmarks.call.CallCondition.ConditionUnavailableException;
 import org.dfra.benchmarks.task.TaskProcess;
 
@@ -155,11 +157,10 @@ public final class CallComparison {
 
   /** The server may have left a socket there. */
   private static void delete(Path folder) throws IOException {
-    try (var files = Files.list(folder)) {
-      for (Path each : files.toList()) {
+    try (Stream<Path> all = Files.walk(folder)) {
+      for (Path each : all.sorted(Comparator.reverseOrder()).toList()) {
         Files.delete(each);
       }
     }
-    Files.delete(folder);
   }
 }

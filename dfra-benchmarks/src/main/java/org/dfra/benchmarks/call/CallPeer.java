@@ -11,12 +11,15 @@ import java.util.Locale;
 import java.util.function.Supplier;
 import net.jini.jeri.BasicILFactory;
 import net.jini.jeri.BasicJeriExporter;
+import net.jini.jeri.InvocationLayerFactory;
+import net.jini.jeri.ServerEndpoint;
 import net.jini.jeri.tcp.TcpServerEndpoint;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.call.JeriExporters;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
+import org.dfra.river.transport.TransportServerEndpoint;
 
 /** What is compared: ways to call an object in another process of this computer. */
 public enum CallPeer {
@@ -32,10 +35,29 @@ public enum CallPeer {
   /** JeroMQ. */
   JEROMQ("JeroMQ, REQ and REP sockets by TCP, raw bytes instead of objects", JeroMqTransport::new),
 
+  /** The transport of DFRA with the invocation layer of River. */
+  TRANSPORT_TCP(
+      "DFRA's transport by TCP with River's invocation layer: no deadline, no checks, no filters",
+      () ->
+          new ProxyTransport(
+              () -> {}, (served, folder) -> export(served, tcpOnly(), new BasicILFactory()))),
+
+  /** DFRA between two computers. */
+  DFRA_TCP(
+      "DFRA by TCP, with the deadline of each call and the checks and filters of all streams",
+      () ->
+          new ProxyTransport(
+              CallPeer::filterEverything,
+              (served, folder) -> export(served, tcpOnly(), new DeadlineILFactory()))),
+
   /** DFRA as robots and their clients use it. */
   DFRA(
-      "DFRA by TCP, with the deadline of each call and the checks and filters of all streams",
-      () -> new ProxyTransport(CallPeer::filterEverything, CallPeer::exportByDfra));
+      "the same as programs use it: on one computer by a Unix-domain socket, if it has them",
+      () ->
+          new ProxyTransport(
+              CallPeer::filterEverything,
+              (served, folder) ->
+                  export(served, Endpoints.tcp(CallTransport.HOST, 0), new DeadlineILFactory())));
 
   /** The one that others are compared with. */
   public static final CallPeer REFERENCE = RMI;
@@ -61,9 +83,13 @@ public enum CallPeer {
     return new BasicJeriExporter(endpoint, new BasicILFactory(), false, true).export(served);
   }
 
-  private static Remote exportByDfra(Remote served, Path folder) throws IOException {
-    return JeriExporters.keepingAlive(Endpoints.tcp(CallTransport.HOST, 0), new DeadlineILFactory())
-        .export(served);
+  private static ServerEndpoint tcpOnly() {
+    return TransportServerEndpoint.tcpOnly(CallTransport.HOST, 0);
+  }
+
+  private static Remote export(
+      Remote served, ServerEndpoint endpoint, InvocationLayerFactory factory) throws IOException {
+    return JeriExporters.keepingAlive(endpoint, factory).export(served);
   }
 
   /** What a main of DFRA does first. */

@@ -40,6 +40,7 @@ public final class PeerProcesses implements AutoCloseable {
       throws IOException, InterruptedException {
     List<String> options = new ArrayList<>(jit.options());
     options.addAll(peer.options());
+    options.add("-Ddfra.transport.sockets=" + folder); // a killed server leaves its socket there
     TaskProcess server =
         TaskProcess.start(
             cores.serverPrefix(), options, CallServerTask.class, peer.name(), folder.toString());
