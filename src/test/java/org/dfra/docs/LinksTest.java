@@ -52,8 +52,12 @@ class LinksTest {
           "org.dfra.phoenix.output",
           "org.dfra.river.phoenix.group");
 
-  /** Names that begin like a module: a command, a temporary folder, a module that was split. */
-  private static final Set<String> NO_MODULES = Set.of("dfra-demo", "dfra-call", "dfra-app");
+  /**
+   * Names that begin like a module: a command, a temporary folder, a module that was split, a peer
+   * of a benchmark.
+   */
+  private static final Set<String> NO_MODULES =
+      Set.of("dfra-demo", "dfra-call", "dfra-app", "dfra-tcp");
 
   @Test
   void everyRelativeLinkLeadsToAFileAndAnHeadingInIt() {
