@@ -18,10 +18,13 @@ import java.util.concurrent.TimeoutException;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.io.MarshalInputStream;
 import net.jini.jeri.BasicInvocationHandler;
+import net.jini.jeri.BasicObjectEndpoint;
 import net.jini.jeri.ObjectEndpoint;
 import net.jini.jeri.OutboundRequest;
 import net.jini.jeri.OutboundRequestIterator;
 import org.dfra.river.call.ResurrectingHandler;
+import org.dfra.river.transport.AbortableEndpoint;
+import org.dfra.river.transport.SourceBoundEndpoint;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -111,7 +114,8 @@ public final class RawCall implements AutoCloseable {
    *
    * @throws IOException if it cannot connect to the server
    */
-  public static RawCall to(ObjectEndpoint target) throws IOException {
+  public static RawCall to(ObjectEndpoint object) throws IOException {
+    ObjectEndpoint target = unbuffered(object);
     OutboundRequestIterator attempts = target.newCall(InvocationConstraints.EMPTY);
     while (true) {
       try {
@@ -122,6 +126,20 @@ public final class RawCall implements AutoCloseable {
         }
       }
     }
+  }
+
+  /** DFRA's own transport sends only complete blocks. */
+  private static ObjectEndpoint unbuffered(ObjectEndpoint target) {
+    if (target instanceof BasicObjectEndpoint object
+        && object.getEndpoint() instanceof AbortableEndpoint endpoint) {
+      @Nullable String source =
+          endpoint instanceof SourceBoundEndpoint bound ? bound.source() : null;
+      return new BasicObjectEndpoint(
+          new UnbufferedEndpoint(endpoint.host(), endpoint.port(), source),
+          object.getObjectIdentifier(),
+          false);
+    }
+    return target;
   }
 
   /**

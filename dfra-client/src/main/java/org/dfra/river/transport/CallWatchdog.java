@@ -43,10 +43,19 @@ public final class CallWatchdog {
     long now = System.nanoTime();
     long connected = now + TimeUnit.MILLISECONDS.toNanos(Math.min(connectMillis, answerMillis));
     CALLS.put(call, new Deadlines(connected, now + TimeUnit.MILLISECONDS.toNanos(answerMillis)));
+    wakeBy(connected);
+  }
+
+  /**
+   * Sees to it that the thread looks in time.
+   *
+   * @param time {@link System#nanoTime()} at which something is due at the latest
+   */
+  static void wakeBy(long time) {
     if (!wasUsed) {
       wasUsed = true;
     }
-    if (connected - wakesAt < 0) {
+    if (time - wakesAt < 0) {
       LockSupport.unpark(THREAD);
     }
   }

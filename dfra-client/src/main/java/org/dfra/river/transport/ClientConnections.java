@@ -97,6 +97,7 @@ final class ClientConnections {
           kept.add(connection);
           return kept;
         });
+    CallWatchdog.wakeBy(now + PAUSE_NANOS);
   }
 
   private void add(ClientConnection connection) {

@@ -19,6 +19,8 @@ final class ConnectionLimits {
     WORKERS(128, 512),
     /** Threads that wait for a further call on their connection; beyond, the selector waits. */
     WAITING_WORKERS(32, 128),
+    /** Threads that wait for the rest of a call; beyond, the call is refused. */
+    RECEIVERS(32, 64),
     /** Bytes of calls that have only arrived in part; beyond, the connection is closed. */
     PARTIAL_BYTES(1 << 20, 4 << 20);
 

@@ -14,6 +14,7 @@ import java.nio.channels.SocketChannel;
 import java.util.Comparator;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.SynchronousQueue;
@@ -132,8 +133,12 @@ final class ConnectionSelector {
     submit(() -> register(connection));
   }
 
-  /** Ends the connections to a port that is closed. For any thread. */
+  /**
+   * Ends the connections to a port that is closed. For any thread but the selector's. When it
+   * returns, the port can be listened on again: Java frees it only after another selection.
+   */
   void closeConnections(ServerPort port) {
+    CompletableFuture<Boolean> freed = new CompletableFuture<>();
     submit(
         () -> {
           for (ServerConnection each : connections) {
@@ -141,7 +146,14 @@ final class ConnectionSelector {
               endGently(each);
             }
           }
+          try {
+            int unused = selector.selectNow();
+          } catch (IOException e) {
+            LOG.log(Level.DEBUG, "A port is freed later.", e);
+          }
+          freed.complete(true);
         });
+    boolean unused = freed.join();
   }
 
   /** Forgets a connection that is closed. For any thread. */

@@ -61,6 +61,7 @@ final class ServerConnection implements Runnable {
 
   private volatile byte[] partial = NOTHING; // the selector's
   private @Nullable ByteBuffer input; // the worker's, ready to be read from
+  private boolean isReceiver; // whether the worker counts as one
 
   ServerConnection(ServerPort port, Link link, ConnectionSelector selector) {
     this.port = port;
@@ -139,12 +140,38 @@ final class ServerConnection implements Runnable {
    * Prepares it for a worker.
    *
    * @param received the first block of a request at least, ready to be read from
+   * @throws IOException if its client has too many requests that are not complete
    */
-  void assign(ByteBuffer received) {
+  void assign(ByteBuffer received) throws IOException {
+    admit(received);
     ByteBuffer buffer = BlockBuffers.take();
     buffer.put(received).flip();
     input = buffer;
     enter(State.RECEIVING);
+  }
+
+  /** A request that is not complete may occupy its worker for long. */
+  private void admit(ByteBuffer received) throws IOException {
+    boolean isComplete = false;
+    if (received.remaining() >= Block.HEADER_BYTES) {
+      Block first = Block.decode(received.getInt(received.position()));
+      isComplete =
+          first.kind() != Block.Kind.PART
+              && received.remaining() >= Block.HEADER_BYTES + first.length();
+    }
+    if (!isComplete) {
+      if (!limits.take(Resource.RECEIVERS, link.peer(), 1)) {
+        throw new IOException("too many calls that are not complete");
+      }
+      isReceiver = true;
+    }
+  }
+
+  private void releaseReceiver() {
+    if (isReceiver) {
+      isReceiver = false;
+      limits.giveBack(Resource.RECEIVERS, link.peer(), 1);
+    }
   }
 
   /** Serves the calls on this connection until there is none for a while. */
@@ -156,6 +183,7 @@ final class ServerConnection implements Runnable {
     try {
       do {
         goesOn = serveOne(buffer, output);
+        releaseReceiver();
       } while (goesOn && awaitNext(buffer));
     } catch (IOException e) {
       goesOn = false;
@@ -167,9 +195,10 @@ final class ServerConnection implements Runnable {
       input = null;
       BlockBuffers.giveBack(buffer);
       BlockBuffers.giveBack(output);
+      releaseReceiver();
       limits.giveBack(Resource.WORKERS, link.peer(), 1);
       if (goesOn) {
-        selector.takeBack(this);
+        selector.takeBack(this); // the last access: the selector has it now
       } else {
         close();
       }
@@ -222,6 +251,7 @@ final class ServerConnection implements Runnable {
       buffer.clear().flip();
       return false;
     }
+    admit(buffer);
     return !isPause(buffer);
   }
 

@@ -5,11 +5,13 @@ import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.dfra.river.loading.CodeTrust.DownloadLimits;
+import org.dfra.river.transport.CallInFlight;
 
 /** Fetches a jar by HTTP into memory, within limits; follows no redirect and uses no proxy. */
 final class JarDownload {
@@ -71,8 +73,11 @@ final class JarDownload {
               }
               return new BoundedBody(url, limits.jarBytes());
             });
+    CallInFlight.attachConnection(() -> answer.cancel(true)); // of a call whose result needs it
     try {
       return answer.get(limits.timeout().toMillis(), TimeUnit.MILLISECONDS).body();
+    } catch (CancellationException e) {
+      throw late(url, e);
     } catch (TimeoutException e) {
       answer.cancel(true);
       throw late(url, e);
