@@ -60,7 +60,7 @@ public final class SourceSockets extends SocketFactory implements Serializable {
 
   /** The same endpoint, called from the address. */
   Endpoint bound(TransportEndpoint endpoint) {
-    return new SourceBoundEndpoint(endpoint, source, number);
+    return new SourceBoundEndpoint(endpoint.host(), endpoint.port(), source, number);
   }
 
   /** Server sockets that listen on the address only. */

@@ -62,12 +62,12 @@ final class ClientConnection {
     return now - idleSince;
   }
 
-  /** Whether the server was told that no call follows soon. */
+  /** Whether the server knows that no call follows soon. */
   boolean isPaused() {
     return paused;
   }
 
-  /** Tells the server that no call follows soon, and frees the buffers. */
+  /** Informs the server that no call follows soon, and frees the buffers. */
   void pause() throws IOException {
     ByteBuffer block = output();
     block.clear().putInt(Block.encode(Block.Kind.PAUSE, 0)).flip();

@@ -23,8 +23,8 @@ import org.jspecify.annotations.Nullable;
  * The connections of this virtual machine to one server that no call uses at the moment.
  *
  * <p>The one that was used last is used first, so that the others become old: after {@value
- * #PAUSE_MILLIS} ms the server is told, and after {@value #IDLE_SECONDS} s they are closed. {@link
- * CallWatchdog} sees to that.
+ * #PAUSE_MILLIS} ms the server is informed, and after {@value #IDLE_SECONDS} s they are closed.
+ * {@link CallWatchdog} sees to that.
  */
 final class ClientConnections {
 

@@ -53,7 +53,7 @@ final class ConnectionSelector {
   /** Longer than clients keep idle connections. */
   private static final long IDLE_NANOS = TimeUnit.SECONDS.toNanos(60);
 
-  /** The time in which a client closes a connection that it was told to close. */
+  /** The time in which a client closes a connection after the server has announced the end. */
   private static final long CLOSING_NANOS = TimeUnit.SECONDS.toNanos(2);
 
   /** How often connections are checked while calls are made. */

@@ -15,7 +15,8 @@ import org.jspecify.annotations.Nullable;
  *               selector              | worker                           |
  * </pre>
  *
- * <p>{@code CLOSING} may follow each of them: the client was told so, and has a moment to close it.
+ * <p>{@code CLOSING} may follow each of them: the client was informed, and has a moment to close
+ * it.
  */
 final class ServerConnection implements Runnable {
 

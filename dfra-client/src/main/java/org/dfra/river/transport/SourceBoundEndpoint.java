@@ -11,11 +11,12 @@ import org.jspecify.annotations.Nullable;
 /**
  * An endpoint that is called from one of several addresses of this computer, always by TCP.
  *
- * @param server the server's endpoint
+ * @param host address or name that the server listens on
+ * @param port TCP port of the server
  * @param source the numeric address to connect from
  * @param group calls of equal groups share connections
  */
-public record SourceBoundEndpoint(TransportEndpoint server, String source, int group)
+public record SourceBoundEndpoint(String host, int port, String source, int group)
     implements AbortableEndpoint, Serializable {
 
   private static final long serialVersionUID = 1L;
@@ -26,7 +27,7 @@ public record SourceBoundEndpoint(TransportEndpoint server, String source, int g
    * @throws IllegalArgumentException if the source is no numeric address
    */
   public SourceBoundEndpoint {
-    Objects.requireNonNull(server, "server");
+    Objects.requireNonNull(host, "host");
     InetAddress unused = numeric(source);
   }
 
@@ -39,17 +40,7 @@ public record SourceBoundEndpoint(TransportEndpoint server, String source, int g
   }
 
   private ClientConnections connections() {
-    return ClientConnections.to(server, numeric(source), group);
-  }
-
-  @Override
-  public String host() {
-    return server.host();
-  }
-
-  @Override
-  public int port() {
-    return server.port();
+    return ClientConnections.to(new TransportEndpoint(host, port), numeric(source), group);
   }
 
   @Override

@@ -35,7 +35,6 @@ import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.call.PeerAddress;
 import org.dfra.river.transport.SourceBoundEndpoint;
-import org.dfra.river.transport.TransportEndpoint;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -189,8 +188,7 @@ class GuardedDispatcherTest {
   private Knobs from(String source) {
     return (Knobs)
         DeadlineILFactory.proxy(
-            new BasicObjectEndpoint(
-                new SourceBoundEndpoint(new TransportEndpoint(ROBOT, port), source, 0), id, false),
+            new BasicObjectEndpoint(new SourceBoundEndpoint(ROBOT, port, source, 0), id, false),
             Duration.ofSeconds(20),
             Knobs.class.getClassLoader(),
             Knobs.class);

@@ -218,7 +218,7 @@ abstract class TransportContract {
   }
 
   @Test
-  void anAbortedRequestSaysWhetherItMayHaveBeenDelivered() throws Exception {
+  void anAbortedRequestSaysWhetherItMayHaveArrived() throws Exception {
     OutboundRequest unsent = next();
     unsent.abort();
     assertThat(unsent.getDeliveryStatus()).as("nothing was written").isFalse();
