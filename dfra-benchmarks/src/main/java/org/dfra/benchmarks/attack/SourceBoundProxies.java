@@ -13,7 +13,7 @@ import java.util.Optional;
 import net.jini.core.discovery.LookupLocator;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.jeri.tcp.TcpEndpoint;
-import org.dfra.river.transport.TransportEndpoint;
+import org.dfra.river.transport.AbortableEndpoint;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -95,7 +95,7 @@ public final class SourceBoundProxies {
 
     @Override
     protected Object replaceObject(Object object) {
-      if (object instanceof TransportEndpoint endpoint) {
+      if (object instanceof AbortableEndpoint endpoint) {
         return sockets.bound(endpoint);
       }
       return object instanceof TcpEndpoint tcp

@@ -13,8 +13,8 @@ import net.jini.jeri.Endpoint;
 import net.jini.jeri.ServerEndpoint;
 import net.jini.jeri.tcp.TcpServerEndpoint;
 import org.dfra.river.call.Endpoints;
+import org.dfra.river.transport.AbortableEndpoint;
 import org.dfra.river.transport.SourceBoundEndpoint;
-import org.dfra.river.transport.TransportEndpoint;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -59,7 +59,7 @@ public final class SourceSockets extends SocketFactory implements Serializable {
   }
 
   /** The same endpoint, called from the address. */
-  Endpoint bound(TransportEndpoint endpoint) {
+  Endpoint bound(AbortableEndpoint endpoint) {
     return new SourceBoundEndpoint(endpoint.host(), endpoint.port(), source, number);
   }
 
