@@ -35,6 +35,7 @@ class DistributedLayerTest {
   private static final String[] CALL = {"org.dfra.river.call.."};
 
   private static final String[] FILTER = {"org.dfra.river.filter.."};
+  private static final String[] TRANSPORT = {"org.dfra.river.transport.."};
   private static final String[] ENTRY = {"org.dfra.river.entry.."};
   private static final String[] CLIENT = {
     "org.dfra.river.remote..",
@@ -42,7 +43,8 @@ class DistributedLayerTest {
     "org.dfra.river.entry..",
     "org.dfra.river.access..",
     "org.dfra.river.call..",
-    "org.dfra.river.filter.."
+    "org.dfra.river.filter..",
+    "org.dfra.river.transport.."
   };
   private static final String[] PHOENIX = {"org.dfra.river.phoenix.."};
   private static final String[] LOADING = {"org.dfra.river.loading.."};
@@ -77,7 +79,7 @@ class DistributedLayerTest {
 
   @Test
   void theLoadingOfCodeNeedsNoPhoenix() {
-    check(LOADING, dependsWithinDfraOnlyOn(LOADING, join(LOADING, FILTER, API, CORE)));
+    check(LOADING, dependsWithinDfraOnlyOn(LOADING, join(LOADING, FILTER, TRANSPORT, API, CORE)));
   }
 
   /** Its name is recorded in journals and proxies, so it keeps its package; nothing else may. */

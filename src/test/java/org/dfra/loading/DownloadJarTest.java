@@ -52,6 +52,7 @@ class DownloadJarTest {
     return Stream.of(
             "java.",
             "javax.",
+            "jdk.net.", // used only where the runtime has it
             "net.jini.",
             "com.sun.jini.",
             "org.jspecify.annotations.",

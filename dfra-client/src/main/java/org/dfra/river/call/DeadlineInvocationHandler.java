@@ -156,7 +156,7 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
         DeadlineExceededException exceeded =
             new DeadlineExceededException(
                 describe(method), Duration.ofMillis(awaited), call.mayHaveRun());
-        exceeded.detail = e; // a RemoteException does not accept a cause by initCause
+        exceeded.addSuppressed(e); // how the connection ended says nothing to the user
         throw exceeded;
       }
       if (isInterruption(e)) {

@@ -15,7 +15,7 @@ import java.util.Arrays;
  */
 final class ElementBuffer {
 
-  private static final int SMALL = 512;
+  private static final int SMALL = 64;
   private static final int CHUNK = 1 << 16;
 
   private final InputStream in;

@@ -10,14 +10,15 @@ import org.jspecify.annotations.Nullable;
 final class HandleTable {
 
   private static final long UNFINISHED = 0;
+  private static final int FEW = 16;
 
   private final Map<Integer, ClassDescriptor> forms = new HashMap<>();
   private final BitSet references = new BitSet();
-  private long[] costs = new long[64];
+  private long[] costs = {};
   private int size;
 
   /** Elements that have begun and not ended, the innermost last; some may have been aborted. */
-  private int[] open = new int[32];
+  private int[] open = {};
 
   private int opened;
 
@@ -37,11 +38,11 @@ final class HandleTable {
   /** Assigns a handle to an element that begins. */
   int assign() {
     if (size == costs.length) {
-      costs = Arrays.copyOf(costs, 2 * size);
+      costs = Arrays.copyOf(costs, Math.max(FEW, 2 * size));
     }
     costs[size] = UNFINISHED;
     if (opened == open.length) {
-      open = Arrays.copyOf(open, 2 * opened);
+      open = Arrays.copyOf(open, Math.max(FEW, 2 * opened));
     }
     open[opened++] = size;
     return size++;

@@ -22,7 +22,7 @@ final class HashTableCounter {
   static final int MAX_NESTING = 2;
 
   private final SerialLimits limits;
-  private final Deque<Long> open = new ArrayDeque<>(); // depths, the innermost first
+  private final Deque<Long> open = new ArrayDeque<>(1); // depths, the innermost first
   private long capacity;
 
   HashTableCounter(SerialLimits limits) {

@@ -1,6 +1,5 @@
 package org.dfra.river.filter;
 
-import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InvalidObjectException;
@@ -13,7 +12,6 @@ import org.jspecify.annotations.Nullable;
 final class ScannedStream extends InputStream {
 
   private static final System.Logger LOG = System.getLogger(ScannedStream.class.getName());
-  private static final int BUFFER = 2048;
 
   private final InputStream source;
   private final StreamScanner scanner;
@@ -28,12 +26,11 @@ final class ScannedStream extends InputStream {
   /**
    * Returns the same bytes, checked.
    *
-   * @param in an object stream from its first byte
+   * @param in an object stream from its first byte; read in small pieces, so it should be buffered
    * @param limits its limits
    */
   static InputStream of(InputStream in, SerialLimits limits) {
-    return new ScannedStream(
-        new BufferedInputStream(new BoundedStream(in, limits.bytes()), BUFFER), limits);
+    return new ScannedStream(new BoundedStream(in, limits.bytes()), limits);
   }
 
   @Override

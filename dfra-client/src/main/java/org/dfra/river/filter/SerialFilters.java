@@ -71,6 +71,15 @@ public final class SerialFilters {
     static final SerialLimits CALL = SerialLimits.CALL.with(System.getProperties());
     static final SerialLimits STREAM = SerialLimits.STREAM.with(System.getProperties());
 
+    /** By the method's return type, whose package is allowed too. */
+    static final ClassValue<AllowedTypes> RESULTS =
+        new ClassValue<>() {
+          @Override
+          protected AllowedTypes computeValue(Class<?> result) {
+            return TYPES.with(List.of(result));
+          }
+        };
+
     private static boolean flag(String key) {
       String text = System.getProperty(key, "false").trim();
       if (!text.equals("true") && !text.equals("false")) {
@@ -144,8 +153,7 @@ public final class SerialFilters {
       throws IOException {
     ObjectInputStream in = opening.open(new ScannedOutboundRequest(request, limits));
     in.setObjectInputFilter(
-        new ObjectGraphFilter(
-            limits, ConfiguredFilters.TYPES.with(List.of(method.getReturnType()))));
+        new ObjectGraphFilter(limits, ConfiguredFilters.RESULTS.get(method.getReturnType())));
     return in;
   }
 
@@ -158,7 +166,7 @@ public final class SerialFilters {
    * Returns the same bytes, checked like those of a call's response: each complete element of the
    * object stream before it is passed on.
    *
-   * @param in an object stream from its first byte
+   * @param in an object stream from its first byte; read in small pieces, so it should be buffered
    */
   public static InputStream checked(InputStream in) {
     return ScannedStream.of(in, ConfiguredFilters.STREAM);

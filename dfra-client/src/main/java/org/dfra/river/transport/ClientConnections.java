@@ -14,6 +14,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import net.jini.id.Uuid;
@@ -40,25 +41,62 @@ final class ClientConnections {
 
   private static final ConcurrentHashMap<Key, ClientConnections> ALL = new ConcurrentHashMap<>();
 
-  /** With the local socket: who sent an endpoint may have put a strange socket into it. */
-  private record Key(
-      TransportEndpoint server,
-      @Nullable LocalSocket local,
-      @Nullable InetAddress source,
-      int group) {}
-
   private final Key key;
 
   @GuardedBy("this")
   private final ArrayDeque<ClientConnection> idle = new ArrayDeque<>(); // first: used last
 
+  @GuardedBy("this")
+  private boolean removed; // from the table; another list has its place
+
   private ClientConnections(Key key) {
     this.key = key;
   }
 
+  /**
+   * Which calls share connections. With the local socket: who sent an endpoint may have put a
+   * strange socket into it. The hash code is computed once, since each call needs it.
+   */
+  static final class Key {
+
+    private final TransportEndpoint server;
+    private final @Nullable LocalSocket local;
+    private final @Nullable InetAddress source;
+    private final int group;
+    private final int hash;
+
+    Key(
+        TransportEndpoint server,
+        @Nullable LocalSocket local,
+        @Nullable InetAddress source,
+        int group) {
+      this.server = server;
+      this.local = local;
+      this.source = source;
+      this.group = group;
+      this.hash = Objects.hash(server, local, source, group);
+    }
+
+    @Override
+    public boolean equals(@Nullable Object other) {
+      return this == other
+          || (other instanceof Key key
+              && key.hash == hash
+              && key.server.equals(server)
+              && Objects.equals(key.local, local)
+              && Objects.equals(key.source, source)
+              && key.group == group);
+    }
+
+    @Override
+    public int hashCode() {
+      return hash;
+    }
+  }
+
   /** The connections to a server. */
   static ClientConnections to(TransportEndpoint server) {
-    return of(new Key(server, server.localSocket(), null, 0));
+    return of(server.key());
   }
 
   /** One group of the TCP connections to a server from one address of this computer. */
@@ -68,7 +106,7 @@ final class ClientConnections {
 
   private static ClientConnections of(Key key) {
     @Nullable ClientConnections known = ALL.get(key);
-    return known == null ? new ClientConnections(key) : known;
+    return known == null ? ALL.computeIfAbsent(key, ClientConnections::new) : known;
   }
 
   /** A connection on which a request may be sent; null if a new one is needed. */
@@ -89,32 +127,24 @@ final class ClientConnections {
   void giveBack(ClientConnection connection) {
     long now = System.nanoTime();
     connection.setIdle(now);
-    // Within compute, so that no list is added to that is removed from the table meanwhile.
-    ALL.compute(
-        key,
-        (same, known) -> {
-          ClientConnections kept = known == null ? this : known;
-          kept.add(connection);
-          return kept;
-        });
-    CallWatchdog.wakeBy(now + PAUSE_NANOS);
-  }
-
-  private void add(ClientConnection connection) {
     @Nullable ClientConnection surplus = null;
     synchronized (this) {
-      idle.addFirst(connection);
-      if (idle.size() > MAX_IDLE) {
-        surplus = idle.pollLast();
+      if (!removed) {
+        idle.addFirst(connection);
+        if (idle.size() > MAX_IDLE) {
+          surplus = idle.pollLast();
+        }
+        if (surplus == null) {
+          CallWatchdog.wakeBy(now + PAUSE_NANOS);
+          return;
+        }
       }
     }
-    if (surplus != null) {
+    if (surplus == null) {
+      of(key).giveBack(connection);
+    } else {
       surplus.closeIdle();
     }
-  }
-
-  private synchronized boolean isEmpty() {
-    return idle.isEmpty();
   }
 
   /** Closes all of them. */
@@ -159,11 +189,12 @@ final class ClientConnections {
           next = Math.min(next, (each.isPaused() ? IDLE_NANOS : PAUSE_NANOS) - idleNanos);
         }
       }
+      if (idle.isEmpty()) {
+        removed = true;
+        ALL.remove(key, this);
+      }
     }
     old.forEach(ClientConnection::closeIdle);
-    if (next == Long.MAX_VALUE) {
-      ALL.computeIfPresent(key, (same, known) -> known.isEmpty() ? null : known);
-    }
     return next;
   }
 

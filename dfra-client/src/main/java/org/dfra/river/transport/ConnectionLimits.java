@@ -17,8 +17,8 @@ final class ConnectionLimits {
     CONNECTIONS(512, 2048),
     /** Threads that read, execute or answer a call; beyond, the call is refused. */
     WORKERS(128, 512),
-    /** Threads that wait for a further call on their connection; beyond, the selector waits. */
-    WAITING_WORKERS(32, 128),
+    /** Threads that keep a connection between calls; beyond, the selector waits. */
+    WAITING_WORKERS(64, 192),
     /** Threads that wait for the rest of a call; beyond, the call is refused. */
     RECEIVERS(32, 64),
     /** Bytes of calls that have only arrived in part; beyond, the connection is closed. */

@@ -6,6 +6,7 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.net.ConnectException;
 import java.nio.ByteBuffer;
+import java.nio.channels.ClosedChannelException;
 import java.util.Collection;
 import java.util.Objects;
 import net.jini.core.constraint.InvocationConstraints;
@@ -60,8 +61,16 @@ final class OutboundCall implements OutboundRequest, MessageOutput.Sender, Messa
 
   @Override
   public void send(ByteBuffer block, boolean isEnd) throws IOException {
+    boolean before = delivered;
     delivered = true; // before the first byte may leave
-    connection.link().write(block);
+    try {
+      connection.link().write(block);
+    } catch (ClosedChannelException e) { // aborted or interrupted, maybe after bytes had left
+      throw e;
+    } catch (IOException e) { // the server had closed the connection
+      delivered = before || block.position() > 0;
+      throw e;
+    }
   }
 
   @Override

@@ -63,6 +63,7 @@ final class ServerConnection implements Runnable {
   private volatile byte[] partial = NOTHING; // the selector's
   private @Nullable ByteBuffer input; // the worker's, ready to be read from
   private boolean isReceiver; // whether the worker counts as one
+  private boolean mayWait; // whether the worker counts as one that may wait
 
   ServerConnection(ServerPort port, Link link, ConnectionSelector selector) {
     this.port = port;
@@ -197,6 +198,10 @@ final class ServerConnection implements Runnable {
       BlockBuffers.giveBack(buffer);
       BlockBuffers.giveBack(output);
       releaseReceiver();
+      if (mayWait) {
+        mayWait = false;
+        limits.giveBack(Resource.WAITING_WORKERS, link.peer(), 1);
+      }
       limits.giveBack(Resource.WORKERS, link.peer(), 1);
       if (goesOn) {
         selector.takeBack(this); // the last access: the selector has it now
@@ -224,22 +229,19 @@ final class ServerConnection implements Runnable {
       return false;
     }
     if (!buffer.hasRemaining()) {
-      if (!limits.take(Resource.WAITING_WORKERS, link.peer(), 1)) {
+      if (!mayWait && !limits.take(Resource.WAITING_WORKERS, link.peer(), 1)) {
         return false;
       }
+      mayWait = true;
       enter(State.WAITING);
-      try {
-        buffer.clear();
-        int count = link.read(buffer);
-        buffer.flip();
-        if (count < 0) {
-          if (state == State.CLOSING) {
-            return false;
-          }
-          throw MessageInput.ended();
+      buffer.clear();
+      int count = link.read(buffer);
+      buffer.flip();
+      if (count < 0) {
+        if (state == State.CLOSING) {
+          return false;
         }
-      } finally {
-        limits.giveBack(Resource.WAITING_WORKERS, link.peer(), 1);
+        throw MessageInput.ended();
       }
       if (!enter(State.WAITING, State.RECEIVING)) {
         buffer.clear().flip(); // the client knows that this request is not executed

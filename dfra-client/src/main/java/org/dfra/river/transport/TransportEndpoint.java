@@ -38,6 +38,7 @@ public final class TransportEndpoint implements AbortableEndpoint, TrustEquivale
   private final long serverLow;
 
   private transient @Nullable LocalSocket local;
+  private transient volatile ClientConnections.@Nullable Key key;
 
   /**
    * An endpoint that is only reached by TCP.
@@ -83,9 +84,14 @@ public final class TransportEndpoint implements AbortableEndpoint, TrustEquivale
     return RequestIterator.of(ClientConnections.to(this), constraints);
   }
 
-  /** The Unix-domain socket that it names. */
-  @Nullable LocalSocket localSocket() {
-    return local;
+  /** What its calls share connections by. */
+  ClientConnections.Key key() {
+    ClientConnections.Key made = key;
+    if (made == null) {
+      made = new ClientConnections.Key(this, local, null, 0);
+      key = made; // equal ones may be made at once
+    }
+    return made;
   }
 
   /**

@@ -211,7 +211,7 @@ class HostileClientTest {
   }
 
   @Test
-  void aClientOfAnotherVersionIsToldSo() throws IOException {
+  void aClientOfAnotherVersionLearnsIt() throws IOException {
     Socket other = connect();
     byte[] greeting = greeting();
     greeting[4] = 99;

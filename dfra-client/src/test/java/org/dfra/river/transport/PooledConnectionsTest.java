@@ -87,7 +87,7 @@ class PooledConnectionsTest {
     for (int i = 0; i < 1000; i++) {
       assertThat(call(endpoint, (byte) i)).containsExactly((byte) i);
     }
-    assertThat(connections() - before).isEqualTo(1);
+    assertThat(connections() - before).isLessThanOrEqualTo(1); // others may end meanwhile
   }
 
   @Test
@@ -133,7 +133,7 @@ class PooledConnectionsTest {
     int before = connections();
     assertThat(call(endpoint, (byte) 1)).hasSize(1);
     endpoint.closeIdleConnections();
-    await().atMost(PATIENCE).until(() -> connections() == before);
+    await().atMost(PATIENCE).until(() -> connections() <= before);
     assertThat(call(endpoint, (byte) 2)).containsExactly(2);
   }
 }
