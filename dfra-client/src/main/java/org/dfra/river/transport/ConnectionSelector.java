@@ -278,7 +278,11 @@ final class ConnectionSelector {
             .filter(each -> each.state() == State.IDLE || each.state() == State.GREETING)
             .filter(each -> peer == null || each.link().peer().origin().equals(peer.origin()))
             .max(Comparator.comparingLong(each -> each.nanosInState(now)));
-    longest.ifPresent(ServerConnection::close);
+    longest.ifPresent(
+        each -> {
+          endGently(each);
+          each.close();
+        });
   }
 
   private static ByteBuffer greeting(Greeting.Answer answer) {
@@ -383,16 +387,15 @@ final class ConnectionSelector {
     Peer peer = connection.link().peer();
     boolean isOpen = !connection.port().isClosed();
     if (!isOpen || !limits.take(Resource.WORKERS, peer, 1)) {
-      if (isOpen) {
-        logFull(peer + " makes too many calls at once; one is refused");
-      }
-      connection.enter(State.IDLE);
-      endGently(connection);
+      refuse(connection, isOpen);
       return;
     }
     boolean done = false;
     try {
-      connection.assign(scratch);
+      if (!connection.assign(scratch)) {
+        refuse(connection, true);
+        return;
+      }
       boolean unused = connection.setPartial(scratch); // empty now
       key.cancel();
       connection.link().setBlocking(true);
@@ -400,10 +403,19 @@ final class ConnectionSelector {
       done = true;
     } finally {
       if (!done) {
+        connection.unassign();
         limits.giveBack(Resource.WORKERS, peer, 1);
       }
     }
     checkSoon();
+  }
+
+  private void refuse(ServerConnection connection, boolean isTooMuch) {
+    if (isTooMuch) {
+      logFull(connection.link().peer() + " makes too many calls at once; one is refused");
+    }
+    connection.enter(State.IDLE);
+    endGently(connection);
   }
 
   /** Ends a connection so that no client takes a request for executed that is not. */

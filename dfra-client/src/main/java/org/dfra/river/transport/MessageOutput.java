@@ -13,6 +13,7 @@ final class MessageOutput extends OutputStream {
   private final ByteBuffer block;
   private final Sender sender;
   private boolean closed;
+  private boolean isComplete;
 
   /** Sends whole blocks. */
   interface Sender {
@@ -76,6 +77,11 @@ final class MessageOutput extends OutputStream {
     begin();
   }
 
+  /** Whether the whole message was sent. */
+  boolean isComplete() {
+    return isComplete;
+  }
+
   /** Does nothing: a message is sent when it is complete, or a block of it when that is full. */
   @Override
   public void flush() {}
@@ -85,6 +91,7 @@ final class MessageOutput extends OutputStream {
     if (!closed) {
       closed = true;
       send(Block.Kind.END);
+      isComplete = true;
     }
   }
 }

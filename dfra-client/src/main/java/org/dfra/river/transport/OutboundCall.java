@@ -95,7 +95,7 @@ final class OutboundCall implements OutboundRequest, MessageOutput.Sender, Messa
       }
       ended = true;
     }
-    if (response.skipReceived() && !connection.input().hasRemaining()) {
+    if (request.isComplete() && response.skipReceived() && !connection.input().hasRemaining()) {
       owner.giveBack(connection);
     } else {
       connection.close();

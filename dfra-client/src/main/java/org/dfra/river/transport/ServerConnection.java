@@ -142,18 +142,30 @@ final class ServerConnection implements Runnable {
    * Prepares it for a worker.
    *
    * @param received the first block of a request at least, ready to be read from
-   * @throws IOException if its client has too many requests that are not complete
+   * @return false if its client has too many requests that are not complete
    */
-  void assign(ByteBuffer received) throws IOException {
-    admit(received);
+  boolean assign(ByteBuffer received) throws IOException {
+    if (!admit(received)) {
+      return false;
+    }
     ByteBuffer buffer = BlockBuffers.take();
     buffer.put(received).flip();
     input = buffer;
     enter(State.RECEIVING);
+    return true;
+  }
+
+  /** Undoes {@link #assign} where no worker is available. */
+  void unassign() {
+    if (input != null) {
+      BlockBuffers.giveBack(input);
+      input = null;
+    }
+    releaseReceiver();
   }
 
   /** A request that is not complete may occupy its worker for long. */
-  private void admit(ByteBuffer received) throws IOException {
+  private boolean admit(ByteBuffer received) throws IOException {
     boolean isComplete = false;
     if (received.remaining() >= Block.HEADER_BYTES) {
       Block first = Block.decode(received.getInt(received.position()));
@@ -162,11 +174,10 @@ final class ServerConnection implements Runnable {
               && received.remaining() >= Block.HEADER_BYTES + first.length();
     }
     if (!isComplete) {
-      if (!limits.take(Resource.RECEIVERS, link.peer(), 1)) {
-        throw new IOException("too many calls that are not complete");
-      }
-      isReceiver = true;
+      isReceiver = limits.take(Resource.RECEIVERS, link.peer(), 1);
+      return isReceiver;
     }
+    return true;
   }
 
   private void releaseReceiver() {
@@ -238,24 +249,29 @@ final class ServerConnection implements Runnable {
       int count = link.read(buffer);
       buffer.flip();
       if (count < 0) {
-        if (state == State.CLOSING) {
+        if (state == State.CLOSING) { // the selector has ended the wait
+          announceEnd();
           return false;
         }
         throw MessageInput.ended();
       }
       if (!enter(State.WAITING, State.RECEIVING)) {
-        buffer.clear().flip(); // the client knows that this request is not executed
-        return false;
+        return refuse(buffer); // the selector has ended the wait
       }
     }
     requestBegan = System.nanoTime();
-    if (port.isClosed()) { // since the check above
-      boolean unused = beginClosing(State.RECEIVING);
-      buffer.clear().flip();
-      return false;
+    if (port.isClosed() || !admit(buffer)) { // closed since the check above
+      enter(State.CLOSING);
+      return refuse(buffer);
     }
-    admit(buffer);
     return !isPause(buffer);
+  }
+
+  /** Discards a request that is not executed, and informs the client. */
+  private boolean refuse(ByteBuffer request) throws IOException {
+    request.clear().flip();
+    announceEnd();
+    return false;
   }
 
   private boolean isPause(ByteBuffer buffer) throws IOException {
@@ -300,23 +316,31 @@ final class ServerConnection implements Runnable {
   }
 
   /**
-   * Tells the client that no further request is executed on this connection; it then closes it.
+   * Ends it so that the client does not take a request for executed that is not. For the selector,
+   * which must not wait: if a worker waits for the next request, that informs the client.
    *
-   * @param expected state in which the connection must be
-   * @return false if it is in another one
+   * @param expected {@code IDLE} or {@code WAITING}
+   * @return false if it is in another state
    */
   boolean beginClosing(State expected) throws IOException {
     if (!enter(expected, State.CLOSING)) {
       return false;
     }
-    ByteBuffer block = ByteBuffer.allocate(Block.HEADER_BYTES);
-    block.putInt(Block.encode(Block.Kind.CLOSING, 0)).flip();
-    link.write(block);
-    link.endOutput();
     if (expected == State.WAITING) {
-      link.endInput(); // wakes the worker
+      link.endInput();
+    } else {
+      announceEnd();
     }
     return true;
+  }
+
+  private void announceEnd() throws IOException {
+    ByteBuffer block = ByteBuffer.allocate(Block.HEADER_BYTES);
+    block.putInt(Block.encode(Block.Kind.CLOSING, 0)).flip();
+    if (link.write(block) < Block.HEADER_BYTES) {
+      throw new IOException("the client takes no more bytes");
+    }
+    link.endOutput();
   }
 
   /** Closes it. */
