@@ -70,8 +70,8 @@ public final class CountingTask implements Task {
   public void run(String[] args, PrintStream out) throws IOException {
     ServerEndpoint endpoint =
         args[0].equals("tcp")
-            ? TransportServerEndpoint.tcpOnly("127.0.0.1", 0)
-            : Endpoints.tcp("127.0.0.1", 0);
+            ? new TransportServerEndpoint("127.0.0.1", 0)
+            : Endpoints.withLocalSocket("127.0.0.1", 0);
     Counter counter = new CounterImpl();
     Remote proxy =
         JeriExporters.keepingAlive(endpoint, new DeadlineILFactory(2000L)).export(counter);

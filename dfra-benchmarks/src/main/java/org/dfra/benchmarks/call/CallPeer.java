@@ -42,7 +42,7 @@ public enum CallPeer {
           new ProxyTransport(
               () -> {}, (served, folder) -> export(served, tcpOnly(), new BasicILFactory()))),
 
-  /** DFRA between two computers. */
+  /** DFRA as robots and their clients use it. */
   DFRA_TCP(
       "DFRA by TCP, with the deadline of each call and the checks and filters of all streams",
       () ->
@@ -50,14 +50,17 @@ public enum CallPeer {
               CallPeer::filterEverything,
               (served, folder) -> export(served, tcpOnly(), new DeadlineILFactory()))),
 
-  /** DFRA as robots and their clients use it. */
-  DFRA(
-      "the same as programs use it: on one computer by a Unix-domain socket, if it has them",
+  /** DFRA on one computer, if a configuration says so. */
+  DFRA_LOCAL(
+      "the same by a Unix-domain socket, if this computer has them",
       () ->
           new ProxyTransport(
               CallPeer::filterEverything,
               (served, folder) ->
-                  export(served, Endpoints.tcp(CallTransport.HOST, 0), new DeadlineILFactory())));
+                  export(
+                      served,
+                      Endpoints.withLocalSocket(CallTransport.HOST, 0),
+                      new DeadlineILFactory())));
 
   /** The one that others are compared with. */
   public static final CallPeer REFERENCE = RMI;
@@ -84,7 +87,7 @@ public enum CallPeer {
   }
 
   private static ServerEndpoint tcpOnly() {
-    return TransportServerEndpoint.tcpOnly(CallTransport.HOST, 0);
+    return new TransportServerEndpoint(CallTransport.HOST, 0);
   }
 
   private static Remote export(

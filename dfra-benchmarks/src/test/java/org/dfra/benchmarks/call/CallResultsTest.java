@@ -42,22 +42,24 @@ class CallResultsTest {
     double[] dfra = {150, 310, 240};
     for (int i = 0; i < rmi.length; i++) {
       add(CallPeer.RMI, rmi[i], SERVER);
-      add(CallPeer.DFRA, dfra[i], SERVER);
+      add(CallPeer.DFRA_LOCAL, dfra[i], SERVER);
     }
     assertThat(value("rmi, small call, p50")).isEqualTo(60);
-    assertThat(value("dfra, small call, p50")).isEqualTo(240);
-    assertThat(value("dfra, small call, p99")).isEqualTo(720);
-    assertThat(value("dfra, small call, over rmi")).isCloseTo(3.1, within(1e-9));
-    assertThat(value("dfra, small call, over rmi, lowest")).isCloseTo(3, within(1e-9));
-    assertThat(value("dfra, small call, over rmi, highest")).isCloseTo(4, within(1e-9));
-    assertThat(value("dfra, 32 callers, rate")).isCloseTo(1e6 / 240, within(1e-6));
-    assertThat(value("dfra, 32 callers, over rmi, lowest")).isCloseTo(0.25, within(1e-9));
-    assertThat(value("dfra, small call, client, CPU time per call")).isEqualTo(30);
-    assertThat(value("dfra, small call, server, CPU time per call")).isEqualTo(40);
+    assertThat(value("dfra-local, small call, p50")).isEqualTo(240);
+    assertThat(value("dfra-local, small call, p99")).isEqualTo(720);
+    assertThat(value("dfra-local, small call, over rmi")).isCloseTo(3.1, within(1e-9));
+    assertThat(value("dfra-local, small call, over rmi, lowest")).isCloseTo(3, within(1e-9));
+    assertThat(value("dfra-local, small call, over rmi, highest")).isCloseTo(4, within(1e-9));
+    assertThat(value("dfra-local, 32 callers, rate")).isCloseTo(1e6 / 240, within(1e-6));
+    assertThat(value("dfra-local, 32 callers, over rmi, lowest")).isCloseTo(0.25, within(1e-9));
+    assertThat(value("dfra-local, small call, client, CPU time per call")).isEqualTo(30);
+    assertThat(value("dfra-local, small call, server, CPU time per call")).isEqualTo(40);
     List<String> lines = results.table().lines();
     assertThat(lines).hasSize(3);
     assertThat(lines.get(1)).startsWith("rmi ").contains(" 1.00 ", "2.00 + 3.00", "30.0 + 40.0");
-    assertThat(lines.get(2)).startsWith("dfra ").contains("3.10 (3.00–4.00)", "0.32 (0.25–0.33)");
+    assertThat(lines.get(2))
+        .startsWith("dfra-local ")
+        .contains("3.10 (3.00–4.00)", "0.32 (0.25–0.33)");
   }
 
   @Test
@@ -88,7 +90,7 @@ class CallResultsTest {
 
   @Test
   void refusesAPeerWithoutTheReference() {
-    add(CallPeer.DFRA, 50, SERVER);
+    add(CallPeer.DFRA_LOCAL, 50, SERVER);
     assertThatThrownBy(results::figures)
         .hasMessage("rmi has no result of small call: one core, C1");
   }

@@ -35,6 +35,18 @@ public final class Endpoints {
   }
 
   /**
+   * As {@link #tcp}, with a Unix-domain socket beside it for clients on the same computer. Chosen
+   * by a Jini configuration: by default they use TCP too, which is faster where client and server
+   * run on different cores.
+   *
+   * @param host address or name of this machine; proxies carry it, and only it is listened on
+   * @param port TCP port, or 0 for one that the system chooses
+   */
+  public static ServerEndpoint withLocalSocket(String host, int port) {
+    return TransportServerEndpoint.withLocalSocket(host, port);
+  }
+
+  /**
    * The client's side of such an endpoint.
    *
    * @param host address or name that it listens on

@@ -12,8 +12,8 @@ import org.dfra.river.access.ListeningHost;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Listens on one address: the one that the proxies carry. Also on a Unix-domain socket, for clients
- * on the same computer, where the operating system has them.
+ * Listens on one address: the one that the proxies carry. If that is wanted, also on a Unix-domain
+ * socket, for clients on the same computer.
  *
  * <p>In a Jini configuration file, as any other server endpoint of JERI:
  *
@@ -30,13 +30,13 @@ public final class TransportServerEndpoint implements ServerEndpoint, ListeningH
   private final boolean isLocalToo;
 
   /**
-   * An endpoint with a Unix-domain socket beside TCP.
+   * An endpoint that all clients reach by TCP.
    *
    * @param host address or name of this computer; proxies carry it, and only it is listened on
    * @param port TCP port, or 0 for one that the system chooses
    */
   public TransportServerEndpoint(String host, int port) {
-    this(host, port, true);
+    this(host, port, false);
   }
 
   private TransportServerEndpoint(String host, int port, boolean isLocalToo) {
@@ -45,9 +45,14 @@ public final class TransportServerEndpoint implements ServerEndpoint, ListeningH
     this.isLocalToo = isLocalToo;
   }
 
-  /** An endpoint that clients on the same computer reach by TCP, too. */
-  public static TransportServerEndpoint tcpOnly(String host, int port) {
-    return new TransportServerEndpoint(host, port, false);
+  /**
+   * An endpoint with a Unix-domain socket beside TCP, where the operating system has them.
+   *
+   * @param host address or name of this computer; proxies carry it, and only it is listened on
+   * @param port TCP port, or 0 for one that the system chooses
+   */
+  public static TransportServerEndpoint withLocalSocket(String host, int port) {
+    return new TransportServerEndpoint(host, port, true);
   }
 
   @Override

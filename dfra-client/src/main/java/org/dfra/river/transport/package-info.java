@@ -19,8 +19,8 @@
  * virtual machine.
  *
  * <p>A connection begins with a greeting of the client and one of the server. Then both send {@link
- * org.dfra.river.transport.Block blocks}. Clients on the same computer and of the same user take a
- * Unix-domain socket; {@link org.dfra.river.transport.Link} hides the difference.
+ * org.dfra.river.transport.Block blocks}. Clients on the same computer and of the same user may
+ * take a Unix-domain socket; {@link org.dfra.river.transport.Link} hides the difference.
  */
 @NullMarked
 package org.dfra.river.transport;

@@ -9,7 +9,7 @@ class DeadlineTest extends DeadlineContract {
 
   @Override
   ServerEndpoint endpoint() {
-    return TransportServerEndpoint.tcpOnly("127.0.0.1", 0);
+    return new TransportServerEndpoint("127.0.0.1", 0);
   }
 
   @Override

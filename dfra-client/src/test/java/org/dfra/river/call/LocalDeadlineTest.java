@@ -8,7 +8,7 @@ class LocalDeadlineTest extends DeadlineContract {
 
   @Override
   ServerEndpoint endpoint() {
-    return Endpoints.tcp("127.0.0.1", 0);
+    return Endpoints.withLocalSocket("127.0.0.1", 0);
   }
 
   @Override

@@ -47,7 +47,7 @@ class HostileClientTest {
   void listen() throws IOException {
     endpoint =
         (TransportEndpoint)
-            TransportServerEndpoint.tcpOnly(HOST, 0)
+            new TransportServerEndpoint(HOST, 0)
                 .enumerateListenEndpoints(
                     each -> {
                       handle = each.listen(HostileClientTest::echo);

@@ -28,7 +28,7 @@ class LocalTransportTest extends TransportContract {
 
   @Override
   ServerEndpoint serverEndpoint() {
-    return new TransportServerEndpoint(HOST, 0);
+    return TransportServerEndpoint.withLocalSocket(HOST, 0);
   }
 
   private LocalSocket socket;

@@ -32,7 +32,7 @@ class PooledConnectionsTest {
 
   private TransportEndpoint listen(int port) throws IOException {
     return (TransportEndpoint)
-        TransportServerEndpoint.tcpOnly(HOST, port)
+        new TransportServerEndpoint(HOST, port)
             .enumerateListenEndpoints(
                 each -> {
                   handle = each.listen(this::echo);

@@ -11,6 +11,6 @@ class TcpTransportTest extends TransportContract {
 
   @Override
   ServerEndpoint serverEndpoint() {
-    return TransportServerEndpoint.tcpOnly(HOST, 0);
+    return new TransportServerEndpoint(HOST, 0);
   }
 }
