@@ -91,7 +91,7 @@ class CallComparisonIT {
     }
     assertThat(results.figures())
         .extracting(MeasuredValue::name)
-        .contains(comparison.title() + ", dfra, 361 doubles, over rmi");
+        .contains(comparison.title() + ", dfra-tcp, 361 doubles, over rmi");
     assertThat(results.figures())
         .as("CPU time has the resolution of the kernel's clock tick")
         .filteredOn(each -> !each.name().endsWith("CPU time per call"))

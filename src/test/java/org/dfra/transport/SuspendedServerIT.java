@@ -118,7 +118,7 @@ class SuspendedServerIT {
       }
       rounds.add(began.stop());
     }
-    assertThat(callThreads()).as("threads").isEqualTo(threads);
+    assertThat(callThreads()).as("threads").isLessThanOrEqualTo(threads);
     assertThat(mayHaveRun).as("calls on the connection that was open before").isLessThan(2);
     signal("CONT");
     int before = mayHaveRun + 1; // with the first one

@@ -155,7 +155,7 @@ final class ServerConnection implements Runnable {
     return true;
   }
 
-  /** Undoes {@link #assign} where no worker is available. */
+  /** Undoes {@link #assign}: the worker has ended, or none is available. */
   void unassign() {
     if (input != null) {
       BlockBuffers.giveBack(input);
@@ -190,10 +190,11 @@ final class ServerConnection implements Runnable {
   /** Serves the calls on this connection until there is none for a while. */
   @Override
   public void run() {
-    ByteBuffer buffer = Objects.requireNonNull(input);
-    ByteBuffer output = BlockBuffers.take();
+    @Nullable ByteBuffer output = null;
     boolean goesOn = false;
     try {
+      ByteBuffer buffer = Objects.requireNonNull(input);
+      output = BlockBuffers.take();
       do {
         goesOn = serveOne(buffer, output);
         releaseReceiver();
@@ -205,10 +206,10 @@ final class ServerConnection implements Runnable {
       goesOn = false;
       LOG.log(Level.WARNING, "A call of " + link.peer() + " failed outside of its object.", e);
     } finally {
-      input = null;
-      BlockBuffers.giveBack(buffer);
-      BlockBuffers.giveBack(output);
-      releaseReceiver();
+      unassign();
+      if (output != null) {
+        BlockBuffers.giveBack(output);
+      }
       if (mayWait) {
         mayWait = false;
         limits.giveBack(Resource.WAITING_WORKERS, link.peer(), 1);
