@@ -159,9 +159,11 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
         exceeded.addSuppressed(e); // how the connection ended says nothing to the user
         throw exceeded;
       }
-      if (isInterruption(e)) {
-        Thread.currentThread().interrupt();
-        throw new CallInterruptedException(describe(method), call.mayHaveRun());
+      if (Thread.currentThread().isInterrupted() && isInterruption(e)) { // not the server's words
+        CallInterruptedException interrupted =
+            new CallInterruptedException(describe(method), call.mayHaveRun());
+        interrupted.addSuppressed(e);
+        throw interrupted;
       }
       throw e;
     } finally {

@@ -96,6 +96,9 @@ public final class CallWatchdog {
     }
     wakesAt = now + rest;
     // A call that was added before this line sees it, or is seen here.
+    if (wasUsed) {
+      return; // a connection may have become idle since
+    }
     long again = System.nanoTime();
     if (earliest(again) >= wakesAt - again) {
       LockSupport.parkNanos(CallWatchdog.class, wakesAt - again);

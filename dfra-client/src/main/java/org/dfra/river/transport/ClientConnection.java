@@ -71,7 +71,11 @@ final class ClientConnection {
   void pause() throws IOException {
     ByteBuffer block = output();
     block.clear().putInt(Block.encode(Block.Kind.PAUSE, 0)).flip();
-    link.write(block);
+    link.setBlocking(false); // a peer may take no bytes, and the watchdog must not wait for it
+    if (link.write(block) < Block.HEADER_BYTES) {
+      throw new IOException("the peer takes no more bytes");
+    }
+    link.setBlocking(true);
     paused = true;
     freeBuffers();
   }

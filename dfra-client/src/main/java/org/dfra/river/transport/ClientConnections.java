@@ -4,6 +4,7 @@ import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.Closeable;
 import java.io.IOException;
 import java.lang.System.Logger.Level;
+import java.net.ConnectException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.StandardProtocolFamily;
@@ -200,7 +201,7 @@ final class ClientConnections {
 
   private static boolean paused(ClientConnection connection) {
     try {
-      connection.pause(); // four bytes that the empty buffer of the operating system takes
+      connection.pause();
       return true;
     } catch (IOException e) {
       LOG.log(Level.DEBUG, "An idle connection had ended.", e);
@@ -231,6 +232,10 @@ final class ClientConnections {
             channel.bind(new InetSocketAddress(key.source, 0));
           }
           channel.connect(new InetSocketAddress(address, key.server.port()));
+          if (channel.getRemoteAddress().equals(channel.getLocalAddress())) {
+            // Nobody listens, and the operating system chose the server's port for this end.
+            throw new ConnectException("Connection refused");
+          }
           return SocketLink.tcp(channel);
         });
   }

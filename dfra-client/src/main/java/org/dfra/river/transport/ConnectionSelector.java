@@ -67,6 +67,7 @@ final class ConnectionSelector {
   private final ConcurrentLinkedQueue<Runnable> tasks = new ConcurrentLinkedQueue<>();
   private final ByteBuffer scratch = ByteBuffer.allocateDirect(Block.BLOCK_BYTES);
   private final ThreadPoolExecutor workers;
+  private boolean acceptPaused; // too many files were open
   private long nextCheck = System.nanoTime();
   private long lastFullLog = System.nanoTime() - FULL_LOG_NANOS;
 
@@ -141,17 +142,18 @@ final class ConnectionSelector {
     CompletableFuture<Boolean> freed = new CompletableFuture<>();
     submit(
         () -> {
-          for (ServerConnection each : connections) {
-            if (each.port() == port) {
-              endGently(each);
-            }
-          }
           try {
+            for (ServerConnection each : connections) {
+              if (each.port() == port) {
+                endGently(each);
+              }
+            }
             int unused = selector.selectNow();
           } catch (IOException e) {
             LOG.log(Level.DEBUG, "A port is freed later.", e);
+          } finally {
+            freed.complete(true);
           }
-          freed.complete(true);
         });
     boolean unused = freed.join();
   }
@@ -183,7 +185,7 @@ final class ConnectionSelector {
 
   private void selectOnce() throws IOException {
     long rest = nextCheck - System.nanoTime();
-    if (connections.isEmpty()) {
+    if (connections.isEmpty() && !acceptPaused) {
       selector.select();
     } else if (rest > 0) {
       selector.select(TimeUnit.NANOSECONDS.toMillis(rest) + 1);
@@ -233,6 +235,7 @@ final class ConnectionSelector {
     } catch (IOException e) { // for example too many open files
       logFull("A connection was not accepted: " + e.getMessage());
       evictLongestIdle(null);
+      acceptPaused = true;
       key.interestOps(0); // until the next check, or this would happen over and over
       nextCheck = Math.min(nextCheck, System.nanoTime() + TICK_NANOS);
     }
@@ -477,6 +480,7 @@ final class ConnectionSelector {
   }
 
   private void resumeAccepting() {
+    acceptPaused = false;
     for (SelectionKey key : selector.keys()) {
       if (key.isValid() && key.attachment() instanceof ServerPort && key.interestOps() == 0) {
         key.interestOps(SelectionKey.OP_ACCEPT);

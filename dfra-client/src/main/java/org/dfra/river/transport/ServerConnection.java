@@ -228,6 +228,7 @@ final class ServerConnection implements Runnable {
     InboundCall call = new InboundCall(this, buffer, output);
     enter(State.EXECUTING);
     port.dispatcher().dispatch(call);
+    boolean unused = Thread.interrupted(); // an object may leave it set; it would close the channel
     if (!call.isAnswered()) {
       return false; // the dispatcher has aborted it
     }
@@ -311,6 +312,7 @@ final class ServerConnection implements Runnable {
 
   /** Sends a block of the response. */
   void send(ByteBuffer block) throws IOException {
+    boolean unused = Thread.interrupted(); // by the object; it would close the channel
     enter(State.ANSWERING);
     link.write(block);
     progress();
