@@ -442,9 +442,10 @@ final class ConnectionSelector {
     resumeAccepting();
     long next = IDLE_NANOS;
     for (ServerConnection each : connections) {
-      long waited = each.nanosInState(now);
+      State state = each.state();
+      long waited = each.nanosInState(state, now);
       boolean isOver =
-          switch (each.state()) {
+          switch (state) {
             case GREETING -> waited >= RECEIVE_NANOS;
             case PARTIAL, RECEIVING ->
                 waited >= RECEIVE_NANOS || each.nanosOfRequest(now) >= REQUEST_NANOS;

@@ -89,6 +89,11 @@ final class ServerConnection implements Runnable {
     return now - since;
   }
 
+  /** As {@link #nanosInState(long)}; 0 if it is in another state by now. */
+  synchronized long nanosInState(State expected, long now) {
+    return state == expected ? now - since : 0;
+  }
+
   /** How long the current request has been arriving, in nanoseconds. */
   long nanosOfRequest(long now) {
     return now - requestBegan;
@@ -232,6 +237,7 @@ final class ServerConnection implements Runnable {
     if (!call.isAnswered()) {
       return false; // the dispatcher has aborted it
     }
+    requestBegan = System.nanoTime(); // it may have executed for long
     enter(State.RECEIVING);
     return call.skipRest(MAX_SKIPPED);
   }
