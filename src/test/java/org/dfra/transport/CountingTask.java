@@ -7,6 +7,7 @@ import java.io.PrintStream;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.util.Base64;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import net.jini.jeri.ServerEndpoint;
 import org.dfra.benchmarks.task.Task;
@@ -27,8 +28,8 @@ public final class CountingTask implements Task {
     /** How many calls were counted. */
     int counted() throws RemoteException;
 
-    /** Returns after some seconds. */
-    void wait(int seconds) throws RemoteException;
+    /** Returns when the process ends. */
+    void block() throws RemoteException;
 
     /** Returns so many bytes. */
     byte[] bytes(int count) throws RemoteException;
@@ -49,9 +50,9 @@ public final class CountingTask implements Task {
     }
 
     @Override
-    public void wait(int seconds) {
+    public void block() {
       try {
-        Thread.sleep(seconds * 1000L);
+        new CountDownLatch(1).await();
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
       }

@@ -135,7 +135,7 @@ class SuspendedServerIT {
   @ValueSource(strings = {"tcp", "local"})
   void aCallerIsInterruptedAtOnceInEachPhase(String transport) throws Exception {
     start(transport);
-    interrupted("while it executes", () -> counter.wait(30), 300);
+    interrupted("while it executes", () -> counter.block(), 300);
     signal("STOP");
     assertThatThrownBy(() -> counter.count()).isInstanceOf(DeadlineExceededException.class);
     interrupted("while it is greeted", () -> counter.count(), 300);
@@ -188,7 +188,7 @@ class SuspendedServerIT {
         callers.submit(
             () -> {
               try {
-                counter.wait(30);
+                counter.block();
                 return null;
               } catch (RemoteException e) {
                 return e;

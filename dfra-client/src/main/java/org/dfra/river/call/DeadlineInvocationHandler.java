@@ -288,12 +288,8 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
 
   /** A peer's address, for messages. */
   static String name(Object peer) {
-    if (peer instanceof AbortableEndpoint server) {
-      return server.host() + ":" + server.port();
-    }
-    return peer instanceof TcpEndpoint server
-        ? server.getHost() + ":" + server.getPort()
-        : peer.toString();
+    @Nullable PeerAddress address = PeerAddress.ofEndpoint(peer);
+    return address == null ? peer.toString() : address.host() + ":" + address.port();
   }
 
   private String describe(Method method) {

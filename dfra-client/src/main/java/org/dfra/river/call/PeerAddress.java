@@ -6,7 +6,7 @@ import java.rmi.Remote;
 import net.jini.jeri.BasicInvocationHandler;
 import net.jini.jeri.BasicObjectEndpoint;
 import net.jini.jeri.tcp.TcpEndpoint;
-import org.dfra.river.transport.TransportEndpoint;
+import org.dfra.river.transport.AbortableEndpoint;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -30,14 +30,18 @@ public record PeerAddress(String host, int port) {
     if (handler instanceof ResurrectingHandler resurrecting) {
       return of(resurrecting.live());
     }
-    if (!(handler instanceof BasicInvocationHandler basic)
-        || !(basic.getObjectEndpoint() instanceof BasicObjectEndpoint object)) {
-      return null;
+    return handler instanceof BasicInvocationHandler basic
+            && basic.getObjectEndpoint() instanceof BasicObjectEndpoint object
+        ? ofEndpoint(object.getEndpoint())
+        : null;
+  }
+
+  /** The address of a server; null if its endpoint shows none. */
+  static @Nullable PeerAddress ofEndpoint(Object endpoint) {
+    if (endpoint instanceof AbortableEndpoint own) {
+      return new PeerAddress(own.host(), own.port());
     }
-    if (object.getEndpoint() instanceof TransportEndpoint endpoint) {
-      return new PeerAddress(endpoint.host(), endpoint.port());
-    }
-    return object.getEndpoint() instanceof TcpEndpoint tcp
+    return endpoint instanceof TcpEndpoint tcp
         ? new PeerAddress(tcp.getHost(), tcp.getPort())
         : null;
   }

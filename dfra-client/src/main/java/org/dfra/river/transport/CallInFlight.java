@@ -100,6 +100,23 @@ public final class CallInFlight {
     }
   }
 
+  /**
+   * As {@link #attachConnection}, for an attempt that is made because no former one was delivered.
+   *
+   * @throws IOException if the call was already abandoned
+   */
+  static void attachAttempt(Closeable connection) throws IOException {
+    @Nullable CallInFlight call = CURRENT.get();
+    if (call != null) {
+      call.forgetRequest();
+      attachConnection(connection);
+    }
+  }
+
+  private synchronized void forgetRequest() {
+    request = null;
+  }
+
   private synchronized void setConnection(Closeable made) throws IOException {
     if (abandoned) {
       throw new IOException("the call was given up before a connection was made for it");

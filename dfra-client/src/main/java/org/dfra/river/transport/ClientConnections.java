@@ -271,7 +271,7 @@ final class ClientConnections {
       throws IOException {
     boolean done = false;
     try {
-      CallInFlight.attachConnection(channel);
+      CallInFlight.attachAttempt(channel);
       Link link = connecting.connect();
       greet(link, server);
       done = true;

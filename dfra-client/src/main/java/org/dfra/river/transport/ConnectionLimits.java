@@ -18,7 +18,7 @@ final class ConnectionLimits {
     /** Threads that read, execute or answer a call; beyond, the call is refused. */
     WORKERS(128, 512),
     /** Threads that keep a connection between calls; beyond, the selector waits. */
-    WAITING_WORKERS(64, 192),
+    WAITING_WORKERS(32, 128),
     /** Threads that wait for the rest of a call; beyond, the call is refused. */
     RECEIVERS(32, 64),
     /** Bytes of calls that have only arrived in part; beyond, the connection is closed. */
@@ -66,6 +66,12 @@ final class ConnectionLimits {
     }
     forgetUnused(peer, its);
     return isFree;
+  }
+
+  /** Whether a peer has its whole share of a resource; otherwise only all together may have. */
+  synchronized boolean isExhausted(Resource resource, Peer peer) {
+    int[] its = used.get(peer.origin());
+    return !peer.isLocalUser() && its != null && its[resource.ordinal()] >= resource.perAddress;
   }
 
   /** Gives back what was taken. */

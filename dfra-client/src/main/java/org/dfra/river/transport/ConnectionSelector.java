@@ -10,9 +10,6 @@ import java.nio.channels.ClosedSelectorException;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.nio.channels.ServerSocketChannel;
-import java.nio.channels.SocketChannel;
-import java.util.Comparator;
-import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
@@ -38,28 +35,8 @@ final class ConnectionSelector {
 
   private static final System.Logger LOG = System.getLogger(ConnectionSelector.class.getName());
 
-  /** The longest time between two parts of a request, or until it was greeted. */
-  private static final long RECEIVE_NANOS = TimeUnit.SECONDS.toNanos(2);
-
-  /** The longest time for a whole request to arrive: as long as the longest deadline of a call. */
-  private static final long REQUEST_NANOS = TimeUnit.SECONDS.toNanos(30);
-
-  /** The longest time between two parts of a response. */
-  private static final long ANSWER_NANOS = TimeUnit.SECONDS.toNanos(10);
-
-  /** The longest time that a worker waits for a client that does not say whether it goes on. */
-  private static final long WAITING_NANOS = TimeUnit.SECONDS.toNanos(2);
-
-  /** Longer than clients keep idle connections. */
-  private static final long IDLE_NANOS = TimeUnit.SECONDS.toNanos(60);
-
-  /** The time in which a client closes a connection after the server has announced the end. */
-  private static final long CLOSING_NANOS = TimeUnit.SECONDS.toNanos(2);
-
   /** How often connections are checked while calls are made. */
   private static final long TICK_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
-
-  private static final long FULL_LOG_NANOS = TimeUnit.SECONDS.toNanos(10);
 
   private final Selector selector;
   private final ConnectionLimits limits = new ConnectionLimits();
@@ -67,9 +44,8 @@ final class ConnectionSelector {
   private final ConcurrentLinkedQueue<Runnable> tasks = new ConcurrentLinkedQueue<>();
   private final ByteBuffer scratch = ByteBuffer.allocateDirect(Block.BLOCK_BYTES);
   private final ThreadPoolExecutor workers;
-  private boolean acceptPaused; // too many files were open
+  private final ConnectionAcceptor acceptor;
   private long nextCheck = System.nanoTime();
-  private long lastFullLog = System.nanoTime() - FULL_LOG_NANOS;
 
   /** The one of this virtual machine. */
   private static final class Holder {
@@ -88,6 +64,7 @@ final class ConnectionSelector {
 
   private ConnectionSelector(Selector selector) {
     this.selector = selector;
+    this.acceptor = new ConnectionAcceptor(this, limits, connections);
     AtomicInteger count = new AtomicInteger();
     this.workers =
         new ThreadPoolExecutor(
@@ -185,7 +162,7 @@ final class ConnectionSelector {
 
   private void selectOnce() throws IOException {
     long rest = nextCheck - System.nanoTime();
-    if (connections.isEmpty() && !acceptPaused) {
+    if (connections.isEmpty() && !acceptor.isPaused()) {
       selector.select();
     } else if (rest > 0) {
       selector.select(TimeUnit.NANOSECONDS.toMillis(rest) + 1);
@@ -207,7 +184,8 @@ final class ConnectionSelector {
 
   private void handle(SelectionKey key) {
     if (key.attachment() instanceof ServerPort port) {
-      accept(key, port);
+      acceptor.accept(key, port);
+      checkSoon();
       return;
     }
     ServerConnection connection = (ServerConnection) key.attachment();
@@ -222,76 +200,11 @@ final class ConnectionSelector {
     }
   }
 
-  private void accept(SelectionKey key, ServerPort port) {
-    try {
-      ServerSocketChannel from = (ServerSocketChannel) key.channel();
-      for (@Nullable SocketChannel accepted = from.accept();
-          accepted != null;
-          accepted = from.accept()) {
-        adopt(port, from, accepted);
-      }
-    } catch (ClosedChannelException | CancelledKeyException e) {
-      LOG.log(Level.DEBUG, "A port was closed.", e);
-    } catch (IOException e) { // for example too many open files
-      logFull("A connection was not accepted: " + e.getMessage());
-      evictLongestIdle(null);
-      acceptPaused = true;
-      key.interestOps(0); // until the next check, or this would happen over and over
-      nextCheck = Math.min(nextCheck, System.nanoTime() + TICK_NANOS);
-    }
-  }
-
-  private void adopt(ServerPort port, ServerSocketChannel from, SocketChannel accepted)
-      throws IOException {
-    try {
-      Link link = port.link(from, accepted);
-      link.setBlocking(false);
-      if (!limits.take(Resource.CONNECTIONS, link.peer(), 1)) {
-        evictLongestIdle(link.peer());
-        if (!limits.take(Resource.CONNECTIONS, link.peer(), 1)) {
-          logFull(link.peer() + " has too many connections; a further one is refused");
-          link.write(greeting(Greeting.Answer.BUSY));
-          link.close();
-          return;
-        }
-      }
-      ServerConnection connection = new ServerConnection(port, link, this);
-      connections.add(connection);
-      checkSoon();
-      link.channel().register(selector, SelectionKey.OP_READ, connection);
-    } catch (IOException e) { // it was closed at once
-      LOG.log(Level.DEBUG, "A connection ended before it began.", e);
-      accepted.close();
-    }
-  }
-
-  private void logFull(String message) {
-    long now = System.nanoTime();
-    if (now - lastFullLog >= FULL_LOG_NANOS) {
-      lastFullLog = now;
-      LOG.log(Level.WARNING, message);
-    }
-  }
-
-  /** Closes the connection that was idle longest, of a peer's share or of all. */
-  private void evictLongestIdle(@Nullable Peer peer) {
-    long now = System.nanoTime();
-    Optional<ServerConnection> longest =
-        connections.stream()
-            .filter(each -> each.state() == State.IDLE || each.state() == State.GREETING)
-            .filter(each -> peer == null || each.link().peer().origin().equals(peer.origin()))
-            .max(Comparator.comparingLong(each -> each.nanosInState(now)));
-    longest.ifPresent(
-        each -> {
-          endGently(each);
-          each.close();
-        });
-  }
-
-  private static ByteBuffer greeting(Greeting.Answer answer) {
-    ByteBuffer bytes = ByteBuffer.allocate(Greeting.SERVER_BYTES);
-    Greeting.putServer(bytes, answer);
-    return bytes.flip();
+  /** Takes a connection that was accepted. */
+  void adopt(ServerConnection connection) throws IOException {
+    connections.add(connection);
+    connection.link().channel().register(selector, SelectionKey.OP_READ, connection);
+    checkSoon();
   }
 
   private void register(ServerConnection connection) {
@@ -337,7 +250,7 @@ final class ConnectionSelector {
       return;
     }
     Greeting.Answer answer = Greeting.readClient(scratch, connection.port().id());
-    if (connection.link().write(greeting(answer)) != Greeting.SERVER_BYTES
+    if (connection.link().write(Greeting.server(answer)) != Greeting.SERVER_BYTES
         || answer != Greeting.Answer.WELCOME
         || scratch.hasRemaining()) { // a client waits for the greeting
       connection.close();
@@ -352,7 +265,7 @@ final class ConnectionSelector {
 
   private void keep(ServerConnection connection) throws IOException {
     if (!connection.setPartial(scratch)) {
-      logFull(connection.link().peer() + " has too many unfinished calls; one is refused");
+      acceptor.logFull(connection.link().peer() + " has too many unfinished calls; one is refused");
       throw new IOException("too many unfinished calls");
     }
     connection.progress();
@@ -374,15 +287,17 @@ final class ConnectionSelector {
         break;
       }
     }
-    if (!scratch.hasRemaining()) {
-      keep(connection);
+    State state = connection.state();
+    boolean isIdle = !scratch.hasRemaining();
+    if (isIdle && state == State.IDLE) {
+      return; // it has paused again, which prolongs nothing
+    }
+    keep(connection);
+    if (isIdle) {
       connection.enter(State.IDLE);
-    } else {
-      keep(connection);
-      if (connection.state() == State.IDLE) {
-        connection.enter(State.PARTIAL);
-        checkSoon();
-      }
+    } else if (state == State.IDLE) {
+      connection.enter(State.PARTIAL);
+      checkSoon();
     }
   }
 
@@ -415,14 +330,15 @@ final class ConnectionSelector {
 
   private void refuse(ServerConnection connection, boolean isTooMuch) {
     if (isTooMuch) {
-      logFull(connection.link().peer() + " makes too many calls at once; one is refused");
+      acceptor.logFull(connection.link().peer() + " makes too many calls at once; one is refused");
     }
+    boolean unused = connection.setPartial(scratch.limit(0)); // what comes now is discarded
     connection.enter(State.IDLE);
     endGently(connection);
   }
 
   /** Ends a connection so that no client takes a request for executed that is not. */
-  private void endGently(ServerConnection connection) {
+  void endGently(ServerConnection connection) {
     try {
       State state = connection.state();
       if (state == State.IDLE || state == State.WAITING) {
@@ -439,53 +355,23 @@ final class ConnectionSelector {
 
   /** Ends what takes too long. Returns the nanoseconds until the next check. */
   private long checkAll(long now) {
-    resumeAccepting();
-    long next = IDLE_NANOS;
+    acceptor.resume(selector.keys());
+    long next = ConnectionTimeouts.IDLE_NANOS;
     for (ServerConnection each : connections) {
-      State state = each.state();
-      long waited = each.nanosInState(state, now);
-      boolean isOver =
-          switch (state) {
-            case GREETING -> waited >= RECEIVE_NANOS;
-            case PARTIAL, RECEIVING ->
-                waited >= RECEIVE_NANOS || each.nanosOfRequest(now) >= REQUEST_NANOS;
-            case ANSWERING -> waited >= ANSWER_NANOS;
-            case CLOSING -> waited >= CLOSING_NANOS;
-            case EXECUTING -> false;
-            case IDLE -> {
-              if (waited >= IDLE_NANOS) {
-                endGently(each);
-              } else {
-                next = Math.min(next, IDLE_NANOS - waited);
-              }
-              yield false;
-            }
-            case WAITING -> {
-              if (waited >= WAITING_NANOS) {
-                endGently(each);
-              }
-              yield false;
-            }
-          };
-      if (isOver) {
-        LOG.log(
-            Level.DEBUG,
-            () -> "The connection of " + each.link().peer() + " is given up: " + each.state());
-        each.close();
+      switch (ConnectionTimeouts.check(each, now)) {
+        case CLOSE -> {
+          LOG.log(
+              Level.DEBUG,
+              () -> "The connection of " + each.link().peer() + " is given up: " + each.state());
+          each.close();
+        }
+        case END -> endGently(each);
+        case KEEP -> {
+          // in time
+        }
       }
-      if (each.state() != State.IDLE) {
-        next = Math.min(next, TICK_NANOS);
-      }
+      next = Math.min(next, each.state() == State.IDLE ? each.idleRest(now) : TICK_NANOS);
     }
-    return next;
-  }
-
-  private void resumeAccepting() {
-    acceptPaused = false;
-    for (SelectionKey key : selector.keys()) {
-      if (key.isValid() && key.attachment() instanceof ServerPort && key.interestOps() == 0) {
-        key.interestOps(SelectionKey.OP_ACCEPT);
-      }
-    }
+    return Math.max(next, TICK_NANOS);
   }
 }

@@ -68,9 +68,14 @@ final class Greeting {
     return wanted.equals(ANY_SERVER) || wanted.equals(own) ? Answer.WELCOME : Answer.OTHER_SERVER;
   }
 
-  /** Writes a server's greeting. */
-  static void putServer(ByteBuffer to, Answer answer) {
-    to.putInt(MAGIC).put((byte) VERSION).put((byte) answer.ordinal()).putShort((short) 0);
+  /** A server's greeting. */
+  static ByteBuffer server(Answer answer) {
+    return ByteBuffer.allocate(SERVER_BYTES)
+        .putInt(MAGIC)
+        .put((byte) VERSION)
+        .put((byte) answer.ordinal())
+        .putShort((short) 0)
+        .flip();
   }
 
   /**

@@ -1,6 +1,5 @@
 package org.dfra.river.transport;
 
-import java.io.Closeable;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.net.InetAddress;
@@ -19,6 +18,9 @@ import org.jspecify.annotations.Nullable;
  */
 final class HostAddresses {
 
+  /** Each has a thread; approximate where several callers begin at once. */
+  private static final int MAX_QUESTIONS = 32;
+
   private static final ConcurrentHashMap<String, CompletableFuture<InetAddress>> ASKED =
       new ConcurrentHashMap<>();
 
@@ -34,9 +36,13 @@ final class HostAddresses {
     if (numeric != null) {
       return numeric;
     }
+    if (!ASKED.containsKey(host) && ASKED.size() >= MAX_QUESTIONS) {
+      throw new IOException(
+          "host " + host + " is not resolved: the answers for " + ASKED.size() + " others are due");
+    }
     CompletableFuture<InetAddress> answer = ASKED.computeIfAbsent(host, HostAddresses::ask);
     CompletableFuture<InetAddress> waiting = answer.copy();
-    CallInFlight.attachConnection((Closeable) () -> waiting.cancel(false));
+    CallInFlight.attachAttempt(() -> waiting.cancel(false));
     try {
       return waiting.get();
     } catch (ExecutionException e) {
@@ -62,6 +68,7 @@ final class HostAddresses {
               } catch (UnknownHostException | RuntimeException e) {
                 answer.completeExceptionally(e);
               } finally {
+                answer.completeExceptionally(new IOException("the name service failed"));
                 ASKED.remove(host, answer); // Java itself caches addresses
               }
             },

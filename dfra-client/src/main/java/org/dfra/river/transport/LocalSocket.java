@@ -1,5 +1,6 @@
 package org.dfra.river.transport;
 
+import java.nio.file.Path;
 import java.util.Objects;
 import net.jini.id.Uuid;
 
@@ -26,6 +27,7 @@ record LocalSocket(String computer, String path, Uuid server) {
               + " characters; it must have 1 to "
               + MAX_PATH_BYTES);
     }
+    Path unused = Path.of(path); // throws if it is none
   }
 
   /** Whether this program runs on the server's computer. */

@@ -37,7 +37,7 @@ final class MessageInput extends InputStream {
      */
     IOException refused();
 
-    /** The reader needs no more of the message. */
+    /** The reader needs no more of the message, or has all of it. Called once or twice. */
     void closed();
   }
 
@@ -56,8 +56,9 @@ final class MessageInput extends InputStream {
     if (!hasMore()) {
       return -1;
     }
-    left--;
-    return received.get() & 0xff;
+    int value = received.get() & 0xff;
+    consumed(1);
+    return value;
   }
 
   @Override
@@ -70,8 +71,16 @@ final class MessageInput extends InputStream {
     }
     int count = Math.min(length, Math.min(left, received.remaining()));
     received.get(bytes, offset, count);
-    left -= count;
+    consumed(count);
     return count;
+  }
+
+  /** After the last byte, the connection may serve another message: the reader need not close. */
+  private void consumed(int count) {
+    left -= count;
+    if (last && left == 0) {
+      source.closed();
+    }
   }
 
   @Override

@@ -69,7 +69,24 @@ final class OutboundCall implements OutboundRequest, MessageOutput.Sender, Messa
       throw e;
     } catch (IOException e) { // the server had closed the connection
       delivered = before || block.position() > 0;
+      if (delivered && hasRefusal()) {
+        throw refused();
+      }
       throw e;
+    }
+  }
+
+  /** Whether the server has announced, while the request was sent, that it does not execute it. */
+  private boolean hasRefusal() {
+    ByteBuffer input = connection.input().clear();
+    try {
+      connection.link().setBlocking(false);
+      int unused = connection.link().read(input);
+      input.flip();
+      return input.remaining() >= Block.HEADER_BYTES
+          && Block.decode(input.getInt(0)).kind() == Block.Kind.CLOSING;
+    } catch (IOException e) {
+      return false;
     }
   }
 

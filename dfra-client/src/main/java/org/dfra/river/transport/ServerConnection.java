@@ -89,6 +89,11 @@ final class ServerConnection implements Runnable {
     return now - since;
   }
 
+  /** How long it may still be idle, in nanoseconds. */
+  long idleRest(long now) {
+    return ConnectionTimeouts.IDLE_NANOS - nanosInState(now);
+  }
+
   /** As {@link #nanosInState(long)}; 0 if it is in another state by now. */
   synchronized long nanosInState(State expected, long now) {
     return state == expected ? now - since : 0;
@@ -268,11 +273,14 @@ final class ServerConnection implements Runnable {
       }
     }
     requestBegan = System.nanoTime();
+    if (!skipPauses(buffer)) {
+      return false;
+    }
     if (port.isClosed() || !admit(buffer)) { // closed since the check above
       enter(State.CLOSING);
       return refuse(buffer);
     }
-    return !isPause(buffer);
+    return true;
   }
 
   /** Discards a request that is not executed, and informs the client. */
@@ -282,23 +290,26 @@ final class ServerConnection implements Runnable {
     return false;
   }
 
-  private boolean isPause(ByteBuffer buffer) throws IOException {
-    while (buffer.remaining() < Block.HEADER_BYTES) {
-      buffer.compact();
-      try {
-        receive(buffer);
-      } finally {
-        buffer.flip();
+  /** Returns whether a request follows at once. */
+  private boolean skipPauses(ByteBuffer buffer) throws IOException {
+    while (true) {
+      while (buffer.remaining() < Block.HEADER_BYTES) {
+        buffer.compact();
+        try {
+          receive(buffer);
+        } finally {
+          buffer.flip();
+        }
+      }
+      Block next = Block.decode(buffer.getInt(buffer.position()));
+      if (next.kind() != Block.Kind.PAUSE) {
+        return true;
+      }
+      buffer.position(buffer.position() + Block.HEADER_BYTES);
+      if (!buffer.hasRemaining()) {
+        return false;
       }
     }
-    if (Block.decode(buffer.getInt(buffer.position())).kind() != Block.Kind.PAUSE) {
-      return false;
-    }
-    buffer.getInt();
-    if (buffer.hasRemaining()) { // a request that follows at once
-      return isPause(buffer);
-    }
-    return true;
   }
 
   /** Waits for more of a request. */

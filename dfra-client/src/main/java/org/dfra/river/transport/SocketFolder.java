@@ -10,10 +10,13 @@ import java.nio.file.DirectoryStream;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFileAttributes;
 import java.nio.file.attribute.PosixFilePermission;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Duration;
+import java.time.Instant;
 import java.util.Set;
 import net.jini.id.Uuid;
 import org.jspecify.annotations.Nullable;
@@ -28,6 +31,7 @@ final class SocketFolder {
   private static final System.Logger LOG = System.getLogger(SocketFolder.class.getName());
 
   private static final String PROPERTY = "dfra.transport.sockets";
+  private static final Duration SETTLED = Duration.ofSeconds(10);
   private static final String DEFAULT = "/tmp";
   private static final Set<PosixFilePermission> OWNER_ONLY =
       PosixFilePermissions.fromString("rwx------");
@@ -108,10 +112,22 @@ final class SocketFolder {
     return folder;
   }
 
+  private static boolean isNew(Path file) throws IOException {
+    try {
+      Instant made = Files.getLastModifiedTime(file, LinkOption.NOFOLLOW_LINKS).toInstant();
+      return made.isAfter(Instant.now().minus(SETTLED));
+    } catch (NoSuchFileException e) { // deleted meanwhile
+      return true;
+    }
+  }
+
   /** Deletes the sockets of processes that were killed: nobody listens. */
   private static void deleteAbandoned(Path folder) throws IOException {
     try (DirectoryStream<Path> sockets = Files.newDirectoryStream(folder, "*.sock")) {
       for (Path each : sockets) {
+        if (isNew(each)) {
+          continue; // its process may be about to listen
+        }
         try (SocketChannel channel = SocketChannel.open(StandardProtocolFamily.UNIX)) {
           channel.configureBlocking(false); // a suspended process may accept no connection
           channel.connect(UnixDomainSocketAddress.of(each));

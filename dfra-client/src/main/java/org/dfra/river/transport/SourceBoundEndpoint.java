@@ -24,11 +24,12 @@ public record SourceBoundEndpoint(String host, int port, String source, int grou
   /**
    * Checks them.
    *
-   * @throws IllegalArgumentException if the source is no numeric address
+   * @throws IllegalArgumentException if the source is no numeric address, or the port none
    */
   public SourceBoundEndpoint {
     Objects.requireNonNull(host, "host");
     InetAddress unused = numeric(source);
+    TransportEndpoint checked = new TransportEndpoint(host, port);
   }
 
   private static InetAddress numeric(String source) {

@@ -86,11 +86,14 @@ class HostileClientTest {
     assertThat(call(new byte[] {1, 2, 3})).containsExactly(1, 2, 3);
   }
 
-  /** A connection from an address of the attacker's, which is greeted. */
   private Socket connect() throws IOException {
+    return connectFrom(ATTACKER);
+  }
+
+  private Socket connectFrom(String source) throws IOException {
     Socket socket = new Socket();
     sockets.add(socket);
-    socket.bind(new InetSocketAddress(InetAddress.getByName(ATTACKER), 0));
+    socket.bind(new InetSocketAddress(InetAddress.getByName(source), 0));
     socket.connect(new InetSocketAddress(HOST, endpoint.port()));
     socket.setSoTimeout(30_000);
     socket.setTcpNoDelay(true);
@@ -98,7 +101,10 @@ class HostileClientTest {
   }
 
   private Socket greeted() throws IOException {
-    Socket socket = connect();
+    return greeted(connect());
+  }
+
+  private static Socket greeted(Socket socket) throws IOException {
     socket.getOutputStream().write(greeting());
     assertThat(socket.getInputStream().readNBytes(Greeting.SERVER_BYTES))
         .hasSize(Greeting.SERVER_BYTES);
@@ -185,6 +191,44 @@ class HostileClientTest {
     assertThat(late.getInputStream().readNBytes(6))
         .as("the attacker's own newest connection")
         .containsExactly(1, 0, 0, 2, 8, 9);
+  }
+
+  @Test
+  void manyConnectionsFromEachOfSeveralAddressesLeaveAPlaceForAnother() throws IOException {
+    int each = 520; // more than one address may have; all together more than all may
+    for (String source : new String[] {"127.0.0.61", "127.0.0.62", "127.0.0.63", "127.0.0.64"}) {
+      for (int i = 0; i < each; i++) {
+        Socket unused = greeted(connectFrom(source));
+      }
+    }
+    endpoint.closeIdleConnections();
+    assertServes();
+    Socket late = greeted();
+    send(late, Block.Kind.END, 1, new byte[] {4});
+    assertThat(late.getInputStream().readNBytes(5)).containsExactly(1, 0, 0, 1, 4);
+  }
+
+  @Test
+  void pausesDoNotHideAnUnfinishedRequest() throws IOException {
+    assertServes();
+    long before = threads();
+    ByteBuffer conversation = ByteBuffer.allocate(32);
+    conversation.putInt(Block.encode(Block.Kind.END, 1)).put((byte) 9);
+    conversation.putInt(Block.encode(Block.Kind.PAUSE, 0));
+    conversation.putInt(Block.encode(Block.Kind.PAUSE, 0));
+    conversation.putInt(Block.encode(Block.Kind.PART, 4)).putInt(1);
+    byte[] bytes = new byte[conversation.position()];
+    conversation.flip().get(bytes);
+    for (int i = 0; i < 100; i++) {
+      Socket socket = greeted();
+      socket.getOutputStream().write(bytes);
+      assertThat(socket.getInputStream().readNBytes(5)).containsExactly(1, 0, 0, 1, 9);
+    }
+    assertServes();
+    assertThat(threads()).as("threads").isLessThanOrEqualTo(before + 64);
+    assertThat(ConnectionSelector.instance().limits().total(ConnectionLimits.Resource.WORKERS))
+        .as("calls that occupy a thread")
+        .isLessThanOrEqualTo(40);
   }
 
   @Test

@@ -90,6 +90,23 @@ class PooledConnectionsTest {
     assertThat(connections() - before).isLessThanOrEqualTo(1); // others may end meanwhile
   }
 
+  /** As JERI leaves a response that says that there is no such object. */
+  @Test
+  void aResponseThatWasReadButNotClosedLeavesItsConnection() throws IOException {
+    TransportEndpoint endpoint = listen(0);
+    int before = connections();
+    for (int i = 0; i < 100; i++) {
+      OutboundRequest request = endpoint.newRequest(InvocationConstraints.EMPTY).next();
+      try (OutputStream out = request.getRequestOutputStream()) {
+        out.write(i);
+      }
+      assertThat(request.getResponseInputStream().read()).isEqualTo(i);
+      request.abort();
+    }
+    assertThat(connections() - before).isLessThanOrEqualTo(1);
+    assertThat(call(endpoint, (byte) 7)).containsExactly(7);
+  }
+
   @Test
   void theServersThreadIsFreeAfterThePause() throws IOException {
     TransportEndpoint endpoint = listen(0);
