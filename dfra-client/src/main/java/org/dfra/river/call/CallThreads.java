@@ -1,10 +1,8 @@
 package org.dfra.river.call;
 
 import java.util.concurrent.FutureTask;
-import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicInteger;
+import org.dfra.river.transport.DaemonPool;
 
 /**
  * The threads on which remote calls wait for their responses.
@@ -21,25 +19,12 @@ public final class CallThreads {
   private CallThreads() {}
 
   /**
-   * Creates a pool of daemons that start on demand, run each task immediately, and end after half a
-   * minute without one. If no thread can be started, a task is refused with an {@link
-   * OutOfMemoryError}.
+   * A pool of the same kind, for other calls; see {@link DaemonPool#create}.
    *
    * @param name prefix of the threads' names; a number follows
    */
   public static ThreadPoolExecutor pool(String name) {
-    AtomicInteger count = new AtomicInteger();
-    return new ThreadPoolExecutor(
-        0,
-        Integer.MAX_VALUE,
-        30,
-        TimeUnit.SECONDS,
-        new SynchronousQueue<>(),
-        task -> {
-          Thread thread = new Thread(task, name + count.incrementAndGet());
-          thread.setDaemon(true);
-          return thread;
-        });
+    return DaemonPool.create(name);
   }
 
   /** Runs the task immediately, on its own thread with the caller's context class loader. */

@@ -14,10 +14,8 @@ import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.SynchronousQueue;
-import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicInteger;
 import org.dfra.river.transport.ConnectionLimits.Resource;
 import org.dfra.river.transport.ServerConnection.State;
 import org.jspecify.annotations.Nullable;
@@ -43,7 +41,10 @@ final class ConnectionSelector {
   private final Set<ServerConnection> connections = ConcurrentHashMap.newKeySet();
   private final ConcurrentLinkedQueue<Runnable> tasks = new ConcurrentLinkedQueue<>();
   private final ByteBuffer scratch = ByteBuffer.allocateDirect(Block.BLOCK_BYTES);
-  private final ThreadPoolExecutor workers;
+
+  /** Limited by {@link Resource#WORKERS}. */
+  private final Executor workers = DaemonPool.create("dfra-worker-");
+
   private final ConnectionAcceptor acceptor;
   private long nextCheck = System.nanoTime();
 
@@ -54,7 +55,10 @@ final class ConnectionSelector {
     private static ConnectionSelector start() {
       try {
         ConnectionSelector made = new ConnectionSelector(Selector.open());
-        daemon(made::run, "dfra-connections").start();
+        Thread thread = new Thread(made::run, "dfra-connections");
+        thread.setDaemon(true);
+        thread.setContextClassLoader(null);
+        thread.start();
         return made;
       } catch (IOException e) {
         throw new UncheckedIOException("this process cannot wait for connections", e);
@@ -65,22 +69,6 @@ final class ConnectionSelector {
   private ConnectionSelector(Selector selector) {
     this.selector = selector;
     this.acceptor = new ConnectionAcceptor(this, limits, connections);
-    AtomicInteger count = new AtomicInteger();
-    this.workers =
-        new ThreadPoolExecutor(
-            0,
-            Integer.MAX_VALUE, // limited by Resource.WORKERS
-            30,
-            TimeUnit.SECONDS,
-            new SynchronousQueue<>(),
-            task -> daemon(task, "dfra-worker-" + count.incrementAndGet()));
-  }
-
-  private static Thread daemon(Runnable task, String name) {
-    Thread thread = new Thread(task, name);
-    thread.setDaemon(true);
-    thread.setContextClassLoader(null);
-    return thread;
   }
 
   static ConnectionSelector instance() {

@@ -1,7 +1,9 @@
 package org.dfra.river.transport;
 
 import java.io.IOException;
+import java.net.BindException;
 import java.net.InetAddress;
+import java.net.UnknownHostException;
 import java.util.Objects;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.io.UnsupportedConstraintException;
@@ -104,10 +106,36 @@ public final class TransportServerEndpoint implements ServerEndpoint, ListeningH
     @Override
     public void checkPermissions() {}
 
+    private ServerPort open(RequestDispatcher dispatcher) throws IOException {
+      try {
+        return ServerPort.open(InetAddress.getByName(host), port, isLocalToo, dispatcher);
+      } catch (UnknownHostException e) {
+        throw because(
+            new UnknownHostException(
+                "host " + host + " is not known; name an address of this machine"),
+            e);
+      } catch (BindException e) {
+        throw because(
+            new BindException(
+                "cannot listen on "
+                    + host
+                    + ":"
+                    + port
+                    + " ("
+                    + e.getMessage()
+                    + "); name an address of this machine and a port that nobody uses"),
+            e);
+      }
+    }
+
+    private static <E extends IOException> E because(E failure, IOException cause) {
+      failure.initCause(cause);
+      return failure;
+    }
+
     @Override
     public ListenHandle listen(RequestDispatcher dispatcher) throws IOException {
-      ServerPort opened =
-          ServerPort.open(InetAddress.getByName(host), port, isLocalToo, dispatcher);
+      ServerPort opened = open(dispatcher);
       Cookie cookie = new Cookie(opened.port(), opened.local());
       return new ListenHandle() {
         @Override

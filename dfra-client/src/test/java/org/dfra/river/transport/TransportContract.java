@@ -97,6 +97,20 @@ abstract class TransportContract {
     }
   }
 
+  /** Holds each request until it may go on. */
+  private static RequestDispatcher holding(
+      CountDownLatch arrived, CountDownLatch goOn, RequestDispatcher then) {
+    return request -> {
+      arrived.countDown();
+      try {
+        goOn.await();
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      }
+      then.dispatch(request);
+    };
+  }
+
   /** A request with these bytes. */
   OutboundRequest send(byte[] bytes) throws IOException {
     OutboundRequest request = next();
@@ -225,16 +239,7 @@ abstract class TransportContract {
 
     CountDownLatch arrived = new CountDownLatch(1);
     CountDownLatch goOn = new CountDownLatch(1);
-    dispatcher =
-        request -> {
-          arrived.countDown();
-          try {
-            goOn.await();
-          } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-          }
-          request.abort();
-        };
+    dispatcher = holding(arrived, goOn, InboundRequest::abort);
     OutboundRequest sent = send(new byte[3]);
     arrived.await();
     Future<?> reading =
@@ -302,16 +307,7 @@ abstract class TransportContract {
   void aCallInProgressMayBeAnsweredAfterThePortIsClosed() throws Exception {
     CountDownLatch arrived = new CountDownLatch(1);
     CountDownLatch goOn = new CountDownLatch(1);
-    dispatcher =
-        request -> {
-          arrived.countDown();
-          try {
-            goOn.await();
-          } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-          }
-          echo(request);
-        };
+    dispatcher = holding(arrived, goOn, this::echo);
     Future<byte[]> answer = callers.submit(() -> call(new byte[] {9}));
     arrived.await();
     closePorts();
