@@ -15,8 +15,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The probes of a {@link MulticastSearch}, whose lock guards this. Each queries an announced lookup
- * service, or reads a response to a request. A few run at the same time.
+ * The probes of a {@link SharedMulticastSearch}, whose lock guards this. Each queries an announced
+ * lookup service, or reads a response to a request. A few run at the same time.
  */
 final class DiscoveryProbes {
 

@@ -7,8 +7,8 @@ import java.util.Map;
 import net.jini.core.lookup.ServiceID;
 
 /**
- * The lookup services that a {@link MulticastSearch} has found, whose lock guards this. Several may
- * claim one service ID. Their number is bounded, in all and for each address.
+ * The lookup services that a {@link SharedMulticastSearch} has found, whose lock guards this.
+ * Several may claim one service ID. Their number is bounded, in all and for each address.
  */
 final class FoundRegistrars {
 
@@ -55,9 +55,24 @@ final class FoundRegistrars {
     return there < PER_ADDRESS && found.size() < MAX_REGISTRARS;
   }
 
-  /** Adds one; false if it is already present. */
-  boolean add(FoundRegistrar registrar) {
-    return found.putIfAbsent(registrar.registrar, registrar) == null;
+  /**
+   * Adds one, unless it is present already.
+   *
+   * @param host as it was announced, or the address that answered
+   * @param groups of which it is a member now
+   * @param now nanoseconds of the system
+   * @return the entry
+   */
+  FoundRegistrar add(LocatedRegistrar registrar, String host, Collection<String> groups, long now) {
+    FoundRegistrar present = found.get(registrar);
+    if (present == null) {
+      present = new FoundRegistrar(registrar, host, groups, now);
+      found.put(registrar, present);
+    } else {
+      present.groups = groups;
+      present.seenAt = now;
+    }
+    return present;
   }
 
   /** Removes one; false if it is not present. */
@@ -75,7 +90,7 @@ final class FoundRegistrars {
   }
 
   /**
-   * A lookup service that a {@link MulticastSearch} has found, whose lock guards the mutable
+   * A lookup service that a {@link SharedMulticastSearch} has found, whose lock guards the mutable
    * fields.
    */
   static final class FoundRegistrar {

@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
-/** The groups that a {@link MulticastSearch} searches for, whose lock guards this. */
+/** The groups that a {@link MulticastSearch} searches for, whose shared search guards this. */
 final class WantedGroups {
 
   private @Nullable Set<String> names; // null for all

@@ -254,9 +254,7 @@ public final class Discovery
   public synchronized void addLocators(LookupLocator[] locators) {
     for (LookupLocator each : locators) {
       if (!ended && searches.stream().noneMatch(search -> search.locator().equals(each))) {
-        LocatorSearch search = new LocatorSearch(each, retry, this::add);
-        searches.add(search);
-        search.start();
+        searches.add(LocatorSearch.start(each, retry, this::add));
       }
     }
   }

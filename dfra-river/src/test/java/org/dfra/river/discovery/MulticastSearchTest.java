@@ -27,7 +27,6 @@ import net.jini.constraint.BasicMethodConstraints.MethodDesc;
 import net.jini.core.constraint.Integrity;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.core.lookup.ServiceID;
-import org.dfra.river.discovery.FoundRegistrars.FoundRegistrar;
 import org.dfra.river.lookup.SuppliedConfiguration;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -227,7 +226,7 @@ class MulticastSearchTest {
     for (int i = 0; i < FoundRegistrars.PER_ADDRESS; i++) {
       LocatedRegistrar each = new FakeRegistrar(7, "copy " + i).at("127.0.0.66", i);
       assertThat(found.isRoomFor(each)).isTrue();
-      assertThat(found.add(new FoundRegistrar(each, "127.0.0.66", List.of(), 0))).isTrue();
+      assertThat(found.add(each, "127.0.0.66", List.of(), 0).registrar).isSameAs(each);
     }
     assertThat(found.isRoomFor(new FakeRegistrar(7, "one more").at("127.0.0.66", 1))).isFalse();
     assertThat(found.isRoomFor(new FakeRegistrar(7, "copy 0").at("127.0.0.66", 1)))
@@ -236,7 +235,7 @@ class MulticastSearchTest {
     assertThat(found.isRoomFor(HONEST.at("127.0.0.1", 1))).isTrue();
     for (int i = found.all().size(); i < FoundRegistrars.MAX_REGISTRARS; i++) {
       LocatedRegistrar each = new FakeRegistrar(7, "more " + i).at("127.0.1." + i, 1);
-      assertThat(found.add(new FoundRegistrar(each, "127.0.1." + i, List.of(), 0))).isTrue();
+      assertThat(found.add(each, "127.0.1." + i, List.of(), 0).registrar).isSameAs(each);
     }
     assertThat(found.isRoomFor(HONEST.at("127.0.0.1", 1))).as("the bound in all").isFalse();
   }

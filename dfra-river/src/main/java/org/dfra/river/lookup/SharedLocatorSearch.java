@@ -1,0 +1,222 @@
+package org.dfra.river.lookup;
+
+import com.google.errorprone.annotations.concurrent.GuardedBy;
+import java.io.IOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.function.Consumer;
+import net.jini.core.discovery.LookupLocator;
+import org.dfra.river.call.CallThreads;
+import org.dfra.river.discovery.LocatedRegistrar;
+import org.dfra.river.discovery.UnicastDiscovery;
+import org.dfra.time.Scheduler;
+import org.dfra.time.Scheduler.ScheduledTask;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The search at one locator, for all modules and directories of this virtual machine. While each of
+ * its users has the lookup service, it has no thread and makes no call.
+ *
+ * <p>Threads: daemons, {@code dfra-locator-n}, one for an attempt in progress.
+ */
+final class SharedLocatorSearch {
+
+  private static final Logger LOG = LoggerFactory.getLogger(SharedLocatorSearch.class);
+  private static final ThreadPoolExecutor THREADS = CallThreads.pool("dfra-locator-");
+
+  /** Those with users. */
+  @GuardedBy("OPEN")
+  private static final Map<Shareable, SharedLocatorSearch> OPEN = new HashMap<>();
+
+  /** What users must have in common; the context class loader reads the proxy that is found. */
+  private record Shareable(String host, int port, Duration retry, @Nullable ClassLoader loader) {}
+
+  /** One user. */
+  static final class User {
+
+    private final Consumer<LocatedRegistrar> finder;
+    private @Nullable LocatedRegistrar found; // guarded by the shared search
+
+    /**
+     * @param finder receives the lookup service, on a thread of the search
+     */
+    User(Consumer<LocatedRegistrar> finder) {
+      this.finder = finder;
+    }
+  }
+
+  private final Shareable at;
+
+  @GuardedBy("this")
+  private final List<User> users = new ArrayList<>();
+
+  @GuardedBy("this")
+  private @Nullable LocatedRegistrar found;
+
+  /** When it was found last. */
+  @GuardedBy("this")
+  private long foundAt;
+
+  /** Whether an attempt is in progress or to come. */
+  @GuardedBy("this")
+  private boolean isSearching;
+
+  @GuardedBy("this")
+  private @Nullable ScheduledTask next;
+
+  @GuardedBy("this")
+  private boolean complained;
+
+  private SharedLocatorSearch(Shareable at) {
+    this.at = at;
+  }
+
+  /** Adds a user to the search at this locator; starts one if there is none. Never waits. */
+  static SharedLocatorSearch join(LookupLocator locator, Duration retry, User user) {
+    Shareable at =
+        new Shareable(
+            locator.getHost(),
+            locator.getPort(),
+            retry,
+            Thread.currentThread().getContextClassLoader());
+    synchronized (OPEN) {
+      SharedLocatorSearch search = OPEN.computeIfAbsent(at, SharedLocatorSearch::new);
+      search.add(user);
+      return search;
+    }
+  }
+
+  /** Removes a user; the last one ends the search. */
+  void leave(User user) {
+    synchronized (OPEN) {
+      synchronized (this) {
+        users.remove(user);
+        if (!users.isEmpty()) {
+          return;
+        }
+        if (next != null) {
+          next.cancel();
+        }
+      }
+      OPEN.values().remove(this);
+    }
+  }
+
+  private synchronized void add(User user) {
+    users.add(user);
+    if (found == null) {
+      searchAfter(0);
+    } else {
+      LocatedRegistrar known = found;
+      user.found = known;
+      execute(() -> user.finder.accept(known));
+    }
+  }
+
+  synchronized @Nullable LocatedRegistrar found(User user) {
+    return user.found;
+  }
+
+  /** Searches again for a user, if the lost lookup service is the one that it has. */
+  synchronized void discard(User user, LocatedRegistrar lost) {
+    if (!lost.equals(user.found)) {
+      return;
+    }
+    user.found = null;
+    if (lost.equals(found)) {
+      found = null;
+    }
+    // Limits the rate of calls to a lookup service that is found but fails immediately.
+    searchAfter(foundAt + at.retry().toNanos() - System.nanoTime());
+  }
+
+  @GuardedBy("this")
+  private void searchAfter(long nanos) {
+    if (isSearching || users.isEmpty()) {
+      return;
+    }
+    isSearching = true;
+    if (nanos <= 0) {
+      execute(this::search);
+    } else {
+      next = Scheduler.system().after(nanos, () -> execute(this::search));
+    }
+  }
+
+  private void execute(Runnable task) {
+    try {
+      THREADS.execute(
+          () -> {
+            Thread thread = Thread.currentThread();
+            thread.setContextClassLoader(at.loader());
+            try {
+              task.run();
+            } finally {
+              thread.setContextClassLoader(null);
+            }
+          });
+    } catch (RejectedExecutionException | OutOfMemoryError e) { // no further thread
+      LOG.warn(
+          "The lookup service at {}:{} cannot be searched for now and is searched for again: {}",
+          at.host(),
+          at.port(),
+          e.toString());
+      ScheduledTask unused = Scheduler.system().after(at.retry().toNanos(), () -> execute(task));
+    }
+  }
+
+  private void search() {
+    @Nullable LocatedRegistrar registrar = look();
+    List<User> told = new ArrayList<>();
+    synchronized (this) {
+      isSearching = false;
+      if (registrar == null) {
+        searchAfter(at.retry().toNanos());
+        return;
+      }
+      found = registrar;
+      foundAt = System.nanoTime();
+      for (User each : users) {
+        if (!registrar.equals(each.found)) {
+          each.found = registrar;
+          told.add(each);
+        }
+      }
+    }
+    told.forEach(each -> each.finder.accept(registrar));
+  }
+
+  private @Nullable LocatedRegistrar look() {
+    try {
+      LocatedRegistrar registrar =
+          UnicastDiscovery.discover(at.host(), at.port(), LookupTimings.ATTEMPT_TIMEOUT)
+              .registrar();
+      synchronized (this) {
+        complained = false;
+      }
+      return registrar;
+    } catch (IOException | ClassNotFoundException | RuntimeException e) {
+      complain(e);
+      return null;
+    }
+  }
+
+  private synchronized void complain(Exception e) {
+    if (!complained && !users.isEmpty()) {
+      complained = true;
+      LOG.info(
+          "No lookup service answers at jini://{}:{}/ ({}); it is tried again every {} ms.",
+          at.host(),
+          at.port(),
+          e.toString(),
+          at.retry().toMillis());
+    }
+  }
+}
