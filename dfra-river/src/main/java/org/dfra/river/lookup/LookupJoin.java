@@ -11,7 +11,6 @@ import net.jini.config.ConfigurationException;
 import net.jini.core.entry.Entry;
 import net.jini.core.lookup.ServiceID;
 import net.jini.lookup.JoinManager;
-import org.dfra.time.Scheduler;
 
 /** Keeps a module registered with every lookup service that is found, until it is closed. */
 public final class LookupJoin implements AutoCloseable {
@@ -67,7 +66,7 @@ public final class LookupJoin implements AutoCloseable {
             Map.of("net.jini.lookup.JoinManager.taskManager", () -> threads));
     Discovery discovery = Discovery.start(groups, locators, Discovery.LOCATOR_RETRY, timed);
     try {
-      RegistrationRenewer renewals = new RegistrationRenewer(Scheduler.system());
+      RegistrationRenewer renewals = new RegistrationRenewer(LeaseBatches.SHARED);
       JoinManager manager =
           new JoinManager(
               proxy,

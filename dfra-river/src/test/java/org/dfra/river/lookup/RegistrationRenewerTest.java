@@ -25,7 +25,7 @@ class RegistrationRenewerTest {
   private static final long HOUR = Duration.ofHours(1).toMillis();
 
   private final SteppedTime time = new SteppedTime();
-  private final RegistrationRenewer renewals = new RegistrationRenewer(time);
+  private final RegistrationRenewer renewals = new RegistrationRenewer(new LeaseBatches(time));
   private final FakeLease lease = new FakeLease(LEASE);
   private final BlockingQueue<LeaseRenewalEvent> ended = new LinkedBlockingQueue<>();
 
