@@ -21,7 +21,10 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import net.jini.admin.Administrable;
 import net.jini.admin.JoinAdmin;
+import net.jini.core.lookup.ServiceMatches;
+import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceRegistration;
+import net.jini.core.lookup.ServiceTemplate;
 import org.dfra.core.host.FreePorts;
 import org.dfra.core.time.StallProbe;
 import org.dfra.core.time.Timing;
@@ -318,6 +321,18 @@ class JiniModuleDirectoryTest extends DirectoryContract {
             usual.reconcileInterval(),
             usual.eventLease()),
         clock);
+  }
+
+  @Test
+  void aLookupServiceCountsItsServicesWithoutReturningThem() throws Exception {
+    ServiceTemplate all = new ServiceTemplate(null, null, null);
+    ServiceRegistrar registrar = reggies.get(0).registrar();
+    int before = registrar.lookup(all, 0).totalMatches;
+    list("r", "gps", 1);
+    list("r", "compass", 1);
+    ServiceMatches counted = registrar.lookup(all, 0);
+    assertThat(counted.totalMatches).isEqualTo(before + 2);
+    assertThat(counted.items).isNull();
   }
 
   @Test

@@ -13,7 +13,8 @@ import java.util.List;
  * @param heartbeatInterval interval of the heartbeats to each lookup service; each costs one call
  * @param registrarTimeout how long a lookup service may take to answer before its registrations are
  *     stale
- * @param reconcileInterval interval of complete queries, in case an event was lost
+ * @param reconcileInterval interval of comparisons of the number of services, in case an event was
+ *     lost; each costs one call
  * @param eventLease lease on the events; after it a lookup service removes a dead client
  */
 public record DirectorySettings(
@@ -39,7 +40,7 @@ public record DirectorySettings(
     }
   }
 
-  /** Robot timings: heartbeats of 1 s, a timeout of 3 s, a complete query every 30 s. */
+  /** Robot timings: heartbeats of 1 s, a timeout of 3 s, a comparison every 30 s. */
   public static DirectorySettings of(String host, List<String> groups, List<String> locators) {
     return new DirectorySettings(
         host,

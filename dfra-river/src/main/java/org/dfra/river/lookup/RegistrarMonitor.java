@@ -1,5 +1,6 @@
 package org.dfra.river.lookup;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.rmi.MarshalledObject;
 import java.rmi.RemoteException;
@@ -13,6 +14,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import net.jini.core.discovery.LookupLocator;
@@ -29,20 +32,30 @@ import net.jini.core.lookup.ServiceMatches;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
 import net.jini.export.Exporter;
+import org.dfra.river.call.CallThreads;
 import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.entry.ModuleEntry;
 import org.dfra.river.loading.LoadingFaults;
+import org.dfra.time.Scheduler;
+import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Tracks the contents of one lookup service: by its events, by a heartbeat, and by periodic
- * complete queries, in case an event was lost.
+ * Tracks the contents of one lookup service by its events and by a heartbeat.
  *
- * <p>Threads: one daemon, {@code dfra-registrar-id}, makes every call to the lookup service. If
- * such a call hangs, it blocks only this thread; {@link #check}, on the directory's own thread,
- * detects it.
+ * <p>Everything is read again only if there is a reason: an event's number is missing, there were
+ * more events than the queue takes, the lookup service did not answer for a while or lost the
+ * registration for events, or it holds another number of services than the events say. The last one
+ * is compared at every {@link DirectorySettings#reconcileInterval}, by a call that returns no
+ * service. Only a change of attributes can be lost without any of these signs, and only if no event
+ * follows; so each {@value #COMPLETE_EVERY}th of these times everything is read without a reason.
+ *
+ * <p>Threads: daemons, {@code dfra-registrar-n}, one while there is something to do. It makes every
+ * call to the lookup service. If such a call hangs, it blocks only this thread; {@link #check}, on
+ * the directory's own thread, detects it. Between heartbeats a monitor has no thread, so that their
+ * number does not grow with the number of lookup services.
  */
 final class RegistrarMonitor implements AutoCloseable {
 
@@ -56,6 +69,15 @@ final class RegistrarMonitor implements AutoCloseable {
   /** The limit of waiting events; beyond it a complete query replaces them. */
   private static final int LONGEST_QUEUE = 10_000;
 
+  /** See the class comment. */
+  static final int COMPLETE_EVERY = 20;
+
+  private static final ThreadPoolExecutor THREADS = CallThreads.pool("dfra-registrar-");
+
+  private static final int UNKNOWN = -1;
+
+  private static final long THREAD_RETRY_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
+
   private final LocatedRegistrar identity;
   private final ServiceRegistrar registrar; // the same, for calls
   private final ServiceTable serviceTable;
@@ -65,10 +87,28 @@ final class RegistrarMonitor implements AutoCloseable {
   private final Runnable reader;
   private final Consumer<RegistrarMonitor> end;
   private final BlockingQueue<ServiceEvent> events = new LinkedBlockingQueue<>(LONGEST_QUEUE);
-  private final Thread thread;
+  private final @Nullable ClassLoader loader = Thread.currentThread().getContextClassLoader();
 
   /** A strong reference, since JERI holds what it exports weakly. */
   private final ServiceEventListener listener = new ServiceEventListener();
+
+  /** The thread that works now. */
+  @GuardedBy("this")
+  private @Nullable Thread worker;
+
+  /** Whether there is something to do once more. */
+  @GuardedBy("this")
+  private boolean isWoken;
+
+  /** Whether a thread works, or will. */
+  @GuardedBy("this")
+  private boolean isStarted;
+
+  @GuardedBy("this")
+  private boolean isEnded;
+
+  @GuardedBy("this")
+  private @Nullable ScheduledTask heartbeat;
 
   private volatile boolean closed;
   private volatile boolean read; // complete, at least once
@@ -76,12 +116,16 @@ final class RegistrarMonitor implements AutoCloseable {
   private volatile Instant vouched;
   private volatile long busySince; // System.nanoTime of the running call; 0 for none
   private volatile boolean silent;
-  private final Map<ServiceID, String> faults = new HashMap<>(); // of proxies; by the thread
-  private @Nullable EventRegistration registration; // by the thread
-  private long sequence; // by the thread
-  private long complete; // System.nanoTime of the last complete query; by the thread
-  private boolean located; // whether its host was read; by the thread
-  private long beaten = System.nanoTime(); // when the last heartbeat was sent; by the thread
+  private final Map<ServiceID, String> faults = new HashMap<>(); // of proxies; by the worker
+  private @Nullable RemoteEventListener stub; // by the worker
+  private @Nullable EventRegistration registration; // by the worker
+  private long sequence; // by the worker
+  private int services = UNKNOWN; // how many it holds by its events; by the worker
+  private boolean isOtherCount; // at the last comparison; by the worker
+  private int comparisons; // since the last complete query; by the worker
+  private long compareAt; // System.nanoTime; by the worker
+  private boolean located; // whether its host was read; by the worker
+  private long beaten = System.nanoTime(); // when the last heartbeat was sent; by the worker
 
   /**
    * @param exporter exports the listener while the monitor runs
@@ -105,13 +149,10 @@ final class RegistrarMonitor implements AutoCloseable {
     this.reader = reader;
     this.end = end;
     this.vouched = clock.instant();
-    this.thread = new Thread(this::run, "dfra-registrar-" + identity.getServiceID());
-    thread.setDaemon(true);
-    thread.setContextClassLoader(Thread.currentThread().getContextClassLoader());
   }
 
   void start() {
-    thread.start();
+    wake();
   }
 
   LocatedRegistrar registrar() {
@@ -133,42 +174,132 @@ final class RegistrarMonitor implements AutoCloseable {
     }
   }
 
-  private void run() {
-    try {
-      RemoteEventListener stub = (RemoteEventListener) exporter.export(listener);
-      while (!closed) {
-        if (registration == null) {
-          register(stub);
-        }
-        if (incomplete || age(complete).compareTo(settings.reconcileInterval()) > 0) {
-          reconcile();
-        }
-        @Nullable ServiceEvent event =
-            events.poll(
-                settings.heartbeatInterval().minus(age(beaten)).toNanos(), TimeUnit.NANOSECONDS);
-        if (event != null) {
-          take(event);
-        }
-        // By time: if events come faster than heartbeats, the event lease must still be renewed.
-        if (age(beaten).compareTo(settings.heartbeatInterval()) >= 0) {
-          beaten = System.nanoTime();
-          beat();
-        }
+  /** Makes a thread do what there is to do. */
+  private void wake() {
+    synchronized (this) {
+      if (isEnded) {
+        return;
       }
-      cancel();
-    } catch (InterruptedException e) {
-      cancel();
+      isWoken = true;
+      if (isStarted) {
+        return;
+      }
+      isStarted = true;
+    }
+    try {
+      THREADS.execute(this::work);
+    } catch (RejectedExecutionException | OutOfMemoryError e) { // no further thread
+      LOG.warn("Lookup service {} cannot be called now; this is tried again: {}", identity, e);
+      synchronized (this) {
+        isStarted = false;
+        heartbeat = Scheduler.system().after(THREAD_RETRY_NANOS, this::wake);
+      }
+    }
+  }
+
+  private void work() {
+    synchronized (this) {
+      worker = Thread.currentThread();
+    }
+    Thread.currentThread().setContextClassLoader(loader);
+    boolean isOver = false;
+    try {
+      while (isWork() && !closed) {
+        step();
+      }
+      isOver = closed;
     } catch (IOException | RuntimeException e) {
+      isOver = true;
       if (!closed) {
         LOG.info("Lookup service {} is out of reach: {}", identity, e.toString());
       }
+    } catch (Error e) {
+      isOver = true;
+      throw e;
     } finally {
-      exporter.unexport(true);
-      busySince = 0;
-      if (!closed) {
-        serviceTable.markOutOfReach(identity, vouched);
-        end.accept(this);
+      Thread.currentThread().setContextClassLoader(null);
+      rest();
+      if (isOver) {
+        end();
       }
+    }
+  }
+
+  /** Whether it was woken once more; otherwise the thread leaves, and the next heartbeat wakes. */
+  private synchronized boolean isWork() {
+    if (isWoken) {
+      isWoken = false;
+      return true;
+    }
+    isStarted = false;
+    worker = null;
+    if (heartbeat != null) {
+      heartbeat.cancel();
+    }
+    heartbeat =
+        Scheduler.system()
+            .after(settings.heartbeatInterval().minus(age(beaten)).toNanos(), this::wake);
+    return false;
+  }
+
+  /** The thread does something else from now on, and is not to be interrupted. */
+  private synchronized void rest() {
+    if (worker == Thread.currentThread()) {
+      worker = null;
+    }
+    boolean unused = Thread.interrupted(); // by close
+  }
+
+  private void end() {
+    synchronized (this) {
+      if (isEnded) {
+        return;
+      }
+      isEnded = true;
+      if (heartbeat != null) {
+        heartbeat.cancel();
+      }
+    }
+    if (closed) {
+      cancel();
+    }
+    exporter.unexport(true);
+    busySince = 0;
+    if (!closed) {
+      serviceTable.markOutOfReach(identity, vouched);
+      end.accept(this);
+    }
+  }
+
+  private void step() throws IOException {
+    if (stub == null) {
+      stub = (RemoteEventListener) exporter.export(listener);
+    }
+    if (registration == null) {
+      register(stub);
+    }
+    if (incomplete) {
+      reconcile();
+    } else if (services != UNKNOWN && System.nanoTime() - compareAt > 0) {
+      compare();
+    }
+    for (ServiceEvent event; !closed && (event = events.poll()) != null; ) {
+      take(event);
+      beatIfDue();
+    }
+    beatIfDue();
+    if (incomplete || registration == null) {
+      wake();
+    } else if (services == UNKNOWN) {
+      services = count(); // with no event waiting that would be counted once more
+    }
+  }
+
+  /** By time: if events come faster than heartbeats, the event lease must still be renewed. */
+  private void beatIfDue() throws RemoteException {
+    if (age(beaten).compareTo(settings.heartbeatInterval()) >= 0) {
+      beaten = System.nanoTime();
+      beat();
     }
   }
 
@@ -197,7 +328,11 @@ final class RegistrarMonitor implements AutoCloseable {
    * changes come as events.
    */
   private void reconcile() throws RemoteException {
+    if (silent) {
+      int unused = count(); // it answers again
+    }
     incomplete = false;
+    services = UNKNOWN;
     Map<ServiceID, ServiceItem> items = new HashMap<>();
     ServiceTemplate modules = new ServiceTemplate(null, null, new Entry[] {new ModuleEntry()});
     @Nullable Object[] robots =
@@ -215,15 +350,46 @@ final class RegistrarMonitor implements AutoCloseable {
       lookup(new ServiceTemplate(null, null, new Entry[] {of}), items);
     }
     lookup(new ServiceTemplate(null, new Class<?>[] {ServiceRegistrar.class}, null), items);
-    silent = false;
     locate();
     faults.keySet().retainAll(items.keySet());
     // Publish usable services before the search for faults of the others.
     serviceTable.replaceAll(identity, items.values(), faults);
     findFaults(items.values());
-    complete = System.nanoTime();
+    compareAfter(settings.reconcileInterval());
+    comparisons = 0;
+    isOtherCount = false;
     read = true;
     reader.run();
+  }
+
+  /** How many services it holds. */
+  private int count() throws RemoteException {
+    ServiceTemplate all = new ServiceTemplate(null, null, null);
+    ServiceMatches none = call(() -> registrar.lookup(all, 0));
+    return none.totalMatches;
+  }
+
+  /**
+   * Compares the number of its services with that of the events. An event may be on its way; so
+   * only two differences in a row mean that one was lost.
+   */
+  private void compare() throws RemoteException {
+    if (++comparisons % COMPLETE_EVERY == 0) {
+      reconcile();
+      return;
+    }
+    boolean isOther = count() != services;
+    if (isOther && isOtherCount) {
+      LOG.debug("Events of {} were lost: everything is read.", identity);
+      reconcile();
+      return;
+    }
+    isOtherCount = isOther;
+    compareAfter(isOther ? settings.heartbeatInterval() : settings.reconcileInterval());
+  }
+
+  private void compareAfter(Duration interval) {
+    compareAt = System.nanoTime() + interval.toNanos();
   }
 
   /** Reads once which computer it runs on. */
@@ -279,6 +445,9 @@ final class RegistrarMonitor implements AutoCloseable {
       incomplete = true;
     }
     sequence = Math.max(sequence, next);
+    if (services != UNKNOWN) {
+      services += change(event.getTransition());
+    }
     if (event.getTransition() == ServiceRegistrar.TRANSITION_MATCH_NOMATCH) {
       serviceTable.remove(identity, ServiceTable.uuid(event.getServiceID()));
       return;
@@ -295,6 +464,14 @@ final class RegistrarMonitor implements AutoCloseable {
       faults.remove(item.serviceID);
       serviceTable.update(identity, item);
     }
+  }
+
+  private static int change(int transition) {
+    return switch (transition) {
+      case ServiceRegistrar.TRANSITION_NOMATCH_MATCH -> 1;
+      case ServiceRegistrar.TRANSITION_MATCH_NOMATCH -> -1;
+      default -> 0;
+    };
   }
 
   /** Sends a heartbeat, which renews the event lease. */
@@ -328,6 +505,7 @@ final class RegistrarMonitor implements AutoCloseable {
       T answer = asked.ask();
       vouched = clock.instant();
       if (silent) {
+        silent = false;
         incomplete = true; // it answers again: read everything
       }
       return answer;
@@ -351,15 +529,23 @@ final class RegistrarMonitor implements AutoCloseable {
   @Override
   public void close() {
     closed = true;
-    thread.interrupt();
+    synchronized (this) {
+      if (worker != null) {
+        worker.interrupt();
+      }
+    }
+    wake(); // to cancel the registration for events
   }
 
   /** Queues the lookup service's events; never blocks it. */
   private final class ServiceEventListener implements RemoteEventListener {
     @Override
     public void notify(RemoteEvent event) {
-      if (event instanceof ServiceEvent service && !events.offer(service)) {
-        incomplete = true;
+      if (event instanceof ServiceEvent service) {
+        if (!events.offer(service)) {
+          incomplete = true;
+        }
+        wake();
       }
     }
   }

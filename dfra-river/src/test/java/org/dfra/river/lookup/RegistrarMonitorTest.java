@@ -45,6 +45,9 @@ class RegistrarMonitorTest {
   private final AtomicInteger renewals = new AtomicInteger();
   private final AtomicReference<RemoteEventListener> listener = new AtomicReference<>();
   private final CountDownLatch registered = new CountDownLatch(1);
+  private final AtomicInteger complete = new AtomicInteger(); // queries that return services
+  private final AtomicInteger comparisons = new AtomicInteger(); // queries that return none
+  private final AtomicInteger services = new AtomicInteger();
 
   @Test
   void theLeaseOnEventsIsRenewedWhereEventsComeFasterThanHeartbeats() throws Exception {
@@ -66,6 +69,53 @@ class RegistrarMonitorTest {
     }
   }
 
+  @Test
+  void readsEverythingOnceIfNothingIsLost() throws Exception {
+    try (RegistrarMonitor watch = watch()) {
+      watch.start();
+      await("comparisons").atMost(Duration.ofSeconds(20)).until(() -> comparisons.get() >= 3);
+      int first = complete.get();
+      services.incrementAndGet();
+      listener.get().notify(new Added(1));
+      int compared = comparisons.get();
+      await("comparisons").until(() -> comparisons.get() >= compared + 5);
+      assertThat(complete).as("complete queries").hasValue(first);
+    }
+  }
+
+  @Test
+  void readsEverythingAgainIfAnEventWasLost() throws Exception {
+    try (RegistrarMonitor watch = watch()) {
+      watch.start();
+      await("comparisons").atMost(Duration.ofSeconds(20)).until(() -> comparisons.get() >= 2);
+      int first = complete.get();
+      services.incrementAndGet(); // and no event says so
+      await("a complete query")
+          .atMost(Duration.ofSeconds(20))
+          .until(() -> complete.get() > first && comparisons.get() > 3);
+      int second = complete.get();
+      int compared = comparisons.get();
+      await("comparisons").until(() -> comparisons.get() >= compared + 4);
+      assertThat(complete).as("complete queries, when that is known").hasValue(second);
+      listener.get().notify(new Gone(5)); // the four before are missing
+      await("a complete query").until(() -> complete.get() > second);
+    }
+  }
+
+  @Test
+  void aClosedOneEndsItsRegistrationForEvents() throws Exception {
+    RegistrarMonitor watch = watch();
+    watch.start();
+    await("heartbeats").atMost(Duration.ofSeconds(20)).until(() -> renewals.get() >= 2);
+    watch.close();
+    assertThat(cancelled.await(20, TimeUnit.SECONDS)).as("cancelled").isTrue();
+    assertThat(unexported.await(20, TimeUnit.SECONDS)).as("the listener is unexported").isTrue();
+    int last = renewals.get();
+    assertThat(new CountDownLatch(1).await(5 * HEARTBEAT.toMillis(), TimeUnit.MILLISECONDS))
+        .isFalse();
+    assertThat(renewals).as("heartbeats afterwards").hasValue(last);
+  }
+
   /** Keeps events waiting all the time, so that the watch never finds its queue empty. */
   private void flood(AtomicInteger sequence, AtomicReference<Exception> failure) {
     while (!Thread.currentThread().isInterrupted()) {
@@ -78,6 +128,28 @@ class RegistrarMonitorTest {
         failure.set(e);
         return;
       }
+    }
+  }
+
+  private final CountDownLatch cancelled = new CountDownLatch(1);
+  private final CountDownLatch unexported = new CountDownLatch(1);
+
+  private final class Added extends ServiceEvent {
+    private static final long serialVersionUID = 1L;
+
+    Added(long number) {
+      super(
+          "the registrar",
+          EVENTS,
+          number,
+          null,
+          new ServiceID(3, 4),
+          ServiceRegistrar.TRANSITION_NOMATCH_MATCH);
+    }
+
+    @Override
+    public ServiceItem getServiceItem() {
+      return null;
     }
   }
 
@@ -110,7 +182,7 @@ class RegistrarMonitorTest {
             usual.locatorRetry(),
             HEARTBEAT,
             usual.registrarTimeout(),
-            usual.reconcileInterval(),
+            HEARTBEAT.dividedBy(2), // compares at each heartbeat
             usual.eventLease());
     Exporter exporter =
         new Exporter() {
@@ -122,6 +194,7 @@ class RegistrarMonitorTest {
 
           @Override
           public boolean unexport(boolean force) {
+            unexported.countDown();
             return true;
           }
         };
@@ -151,7 +224,7 @@ class RegistrarMonitorTest {
   private ServiceRegistrar registrar() {
     return fake(
         ServiceRegistrar.class,
-        name -> {
+        (name, args) -> {
           switch (name) {
             case "getServiceID":
               return id;
@@ -159,7 +232,9 @@ class RegistrarMonitorTest {
               registered.countDown();
               return new EventRegistration(EVENTS, "the registrar", lease(), 0);
             case "lookup":
-              return new ServiceMatches(new ServiceItem[0], 0);
+              boolean isComparison = Integer.valueOf(0).equals(args[1]);
+              (isComparison ? comparisons : complete).incrementAndGet();
+              return new ServiceMatches(new ServiceItem[0], services.get());
             default:
               return null;
           }
@@ -169,16 +244,18 @@ class RegistrarMonitorTest {
   private Lease lease() {
     return fake(
         Lease.class,
-        name -> {
+        (name, args) -> {
           if (name.equals("renew")) {
             renewals.incrementAndGet();
+          } else if (name.equals("cancel")) {
+            cancelled.countDown();
           }
           return name.equals("getExpiration") ? Long.MAX_VALUE : null;
         });
   }
 
   private interface Answers {
-    Object to(String method);
+    Object to(String method, Object[] args);
   }
 
   private static <T> T fake(Class<T> type, Answers answers) {
@@ -186,6 +263,6 @@ class RegistrarMonitorTest {
         Proxy.newProxyInstance(
             type.getClassLoader(),
             new Class<?>[] {type},
-            (proxy, method, args) -> answers.to(method.getName())));
+            (proxy, method, args) -> answers.to(method.getName(), args)));
   }
 }
