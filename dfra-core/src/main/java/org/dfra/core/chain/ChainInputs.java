@@ -22,6 +22,7 @@ import org.dfra.event.ModuleEvent;
 import org.dfra.event.Reading;
 import org.dfra.event.Subscription;
 import org.dfra.module.Module;
+import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 
@@ -80,7 +81,7 @@ public final class ChainInputs implements AutoCloseable {
 
   private final String module;
   private final Supplier<ModuleDirectory> directory;
-  private final DelayedTaskExecutor taskExecutor;
+  private final SubscriptionExecutor subscriber;
   private final Logger log;
   private final List<InputDeclaration<?, ?>> inputs = new ArrayList<>();
   private volatile List<Feed<?, ?>> feeds = List.of(); // written with the lock of this held
@@ -91,13 +92,13 @@ public final class ChainInputs implements AutoCloseable {
   /**
    * @param module the module of these inputs, {@code robot/name}
    * @param directory finds the modules
-   * @param retries retries subscriptions to modules that could not be reached
+   * @param scheduler for retries of subscriptions to modules that could not be reached
    */
   public ChainInputs(
-      String module, Supplier<ModuleDirectory> directory, DelayedTaskExecutor retries, Logger log) {
+      String module, Supplier<ModuleDirectory> directory, Scheduler scheduler, Logger log) {
     this.module = module;
     this.directory = directory;
-    this.taskExecutor = retries;
+    this.subscriber = new SubscriptionExecutor(scheduler);
     this.log = log;
   }
 
@@ -195,7 +196,6 @@ public final class ChainInputs implements AutoCloseable {
     closed = true;
     feeds.forEach(Feed::close);
     feeds = List.of();
-    taskExecutor.close();
   }
 
   /** An active input: a subscription to each module that it has found. */
@@ -229,7 +229,7 @@ public final class ChainInputs implements AutoCloseable {
     public void matched(ModuleListing<M> listing) {
       @Nullable Tie tie = tie(listing);
       if (tie != null) {
-        tie.begin();
+        tie.beginSoon();
       }
     }
 
@@ -268,8 +268,11 @@ public final class ChainInputs implements AutoCloseable {
           return;
         }
       }
-      old.close();
-      fresh.begin();
+      subscriber.execute(
+          () -> {
+            old.close();
+            fresh.begin();
+          });
     }
 
     @Override
@@ -285,10 +288,10 @@ public final class ChainInputs implements AutoCloseable {
         }
       }
       if (tie != null) {
-        tie.close();
+        tie.closeSoon();
       }
       if (heir != null) {
-        heir.begin();
+        heir.beginSoon();
       }
     }
 
@@ -313,16 +316,25 @@ public final class ChainInputs implements AutoCloseable {
       @GuardedBy("this")
       private @Nullable Subscription subscription;
 
-      @GuardedBy("this")
-      private boolean cut;
+      private volatile boolean cut; // set with the lock of this held
 
-      private boolean isFailureLogged; // of a failure; used by the subscribing thread only
+      private boolean isFailureLogged; // of a failure; used by one thread at a time
 
       Tie(ModuleListing<M> source) {
         this.source = source;
       }
 
-      void begin() {
+      /** Subscribes without blocking the directory, which reports the other modules meanwhile. */
+      void beginSoon() {
+        subscriber.execute(this::begin);
+      }
+
+      private void begin() {
+        synchronized (this) {
+          if (cut) {
+            return;
+          }
+        }
         try {
           Subscription made =
               source
@@ -345,7 +357,7 @@ public final class ChainInputs implements AutoCloseable {
                 source.path(),
                 e.toString());
           }
-          taskExecutor.schedule(RETRY_NANOS, this::again);
+          subscriber.schedule(RETRY_NANOS, this::begin);
         }
       }
 
@@ -354,20 +366,24 @@ public final class ChainInputs implements AutoCloseable {
         return subscription != null && !subscription.isOpen();
       }
 
-      private void again() {
-        synchronized (this) {
-          if (cut) {
-            return;
-          }
-        }
-        begin();
-      }
-
       private void take(Delivery delivery) {
-        if (delivery.event() instanceof ModuleEvent.NewReading fresh
+        if (!cut
+            && delivery.event() instanceof ModuleEvent.NewReading fresh
             && input.type().isInstance(fresh.reading())) {
           input.consumer().accept(source, delivery.sequence(), input.type().cast(fresh.reading()));
         }
+      }
+
+      /**
+       * Takes no more readings from now on, and tells the module without blocking the directory.
+       */
+      void closeSoon() {
+        cut();
+        subscriber.execute(this::close);
+      }
+
+      private synchronized void cut() {
+        cut = true;
       }
 
       void close() {

@@ -5,7 +5,6 @@ import java.util.Optional;
 import org.dfra.core.chain.ChainInputs;
 import org.dfra.core.chain.ChainInputs.ReadingConsumer;
 import org.dfra.core.chain.ChainInputs.SequencedReadingConsumer;
-import org.dfra.core.chain.DelayedTaskExecutor;
 import org.dfra.directory.ModuleQuery;
 import org.dfra.event.Reading;
 import org.dfra.flow.Schema;
@@ -34,12 +33,7 @@ public abstract class SchemaImpl extends ChainableImpl implements Schema {
       List<String> outputTypes) {
     super(context, description, author, version, outputTypes);
     this.context = context;
-    this.inputs =
-        new ChainInputs(
-            context.path(),
-            context::directory,
-            new DelayedTaskExecutor("dfra-inputs " + context.path(), context.scheduler()),
-            log);
+    this.inputs = new ChainInputs(context.path(), context::directory, context.scheduler(), log);
   }
 
   /** The context from its construction. */

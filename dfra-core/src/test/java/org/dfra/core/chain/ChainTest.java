@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.awaitility.Awaitility.await;
 
 import java.lang.reflect.Proxy;
+import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
@@ -13,6 +14,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.UUID;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import org.dfra.core.config.Parameters;
@@ -218,6 +221,49 @@ class ChainTest {
   }
 
   @Test
+  void aModuleThatDoesNotAnswerDelaysNoOther() throws Exception {
+    CountDownLatch silence = new CountDownLatch(1);
+    CountDownLatch called = new CountDownLatch(3);
+    for (int i = 0; i < 3; i++) {
+      directory.put(
+          UUID.randomUUID(),
+          silent(silence, called),
+          attributes("silent" + i, "DFRA"),
+          Locality.REMOTE);
+    }
+    start();
+    assertThat(called.await(PATIENCE.toSeconds(), TimeUnit.SECONDS))
+        .as("all three are called at the same time")
+        .isTrue();
+    directory.add(outdoors);
+    awaitClient(outdoors);
+    outdoors.measure(-5);
+    await().atMost(PATIENCE).until(() -> reported.contains(268.15));
+    silence.countDown();
+  }
+
+  private static TemperatureSensor silent(CountDownLatch silence, CountDownLatch called) {
+    return (TemperatureSensor)
+        Proxy.newProxyInstance(
+            TemperatureSensor.class.getClassLoader(),
+            new Class<?>[] {TemperatureSensor.class},
+            (self, method, arguments) -> {
+              switch (method.getName()) {
+                case "equals":
+                  return self == arguments[0];
+                case "hashCode":
+                  return System.identityHashCode(self);
+                case "subscribe":
+                  called.countDown();
+                  silence.await();
+                  throw new RemoteException("it never answered");
+                default:
+                  return "a silent module";
+              }
+            });
+  }
+
+  @Test
   void saysWhichInputIsMissing() {
     start();
     schema.setInputs(List.of());
@@ -254,10 +300,14 @@ class ChainTest {
   }
 
   private static List<Attributes> attributes(String author) {
+    return attributes("indoors", author);
+  }
+
+  private static List<Attributes> attributes(String name, String author) {
     return List.of(
         new ModuleAttributes(
             "atrv1",
-            "indoors",
+            name,
             "a thermometer",
             "localhost",
             author,

@@ -17,7 +17,6 @@ import org.dfra.behavior.GoToWaypoint;
 import org.dfra.behavior.RasterSearch;
 import org.dfra.behavior.ReturnHome;
 import org.dfra.core.chain.ChainInputs;
-import org.dfra.core.chain.DelayedTaskExecutor;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.directory.ModuleListing;
 import org.dfra.directory.ModuleQuery;
@@ -93,12 +92,7 @@ final class RobotStateMonitor implements AutoCloseable {
   RobotStateMonitor(ModuleContext context, GoalListener listener, Logger log) {
     this.context = context;
     this.listener = listener;
-    this.inputs =
-        new ChainInputs(
-            context.path(),
-            context::directory,
-            new DelayedTaskExecutor("dfra-inputs " + context.path(), context.scheduler()),
-            log);
+    this.inputs = new ChainInputs(context.path(), context::directory, context.scheduler(), log);
     String robot = context.robot();
     inputs.declareOne(
         ModuleQuery.of(PositionEstimator.class).robot(robot),
