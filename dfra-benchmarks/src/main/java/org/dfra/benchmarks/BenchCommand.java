@@ -44,6 +44,7 @@ import picocli.CommandLine.Spec;
       "  navigation    robots that search a field, over many seeds (an hour; less with --seeds)",
       "  parsers       the devices' parsers (fifteen seconds)",
       "  recruit       messages between agents, latency of messages and events (three minutes)",
+      "  scale         teams of 2, 10, 30 and 100 robots (twenty minutes; less with --robots)",
       "  world         simulated robots with laser scans and images (half a minute)"
     })
 final class BenchCommand implements Callable<Integer> {
@@ -64,6 +65,7 @@ final class BenchCommand implements Callable<Integer> {
     benches.put("navigation", () -> new NavigationBench(seeds, folder("navigation")));
     benches.put("parsers", ParserBench::new);
     benches.put("recruit", () -> new RecruitBench(folder("recruit")));
+    benches.put("scale", () -> new ScaleBench(sizes, folder("scale")));
     benches.put("world", WorldBench::new);
   }
 
@@ -83,10 +85,20 @@ final class BenchCommand implements Callable<Integer> {
   private int seconds = 30;
 
   @Option(
+      names = "--robots",
+      paramLabel = "N",
+      split = ",",
+      description =
+          "Numbers of robots of the benchmark scale, ascending, separated by commas (default"
+              + " 2,10,30,100).")
+  private List<Integer> sizes = ScaleBench.SIZES;
+
+  @Option(
       names = "--report",
       paramLabel = "DIR",
       description =
-          "Folder for the output of the benchmarks navigation and recruit (default reports/NAME).")
+          "Folder for the output of the benchmarks navigation, recruit and scale (default"
+              + " reports/NAME).")
   private @Nullable Path folder;
 
   @Option(
@@ -170,6 +182,13 @@ final class BenchCommand implements Callable<Integer> {
     if (seconds < 1) {
       throw new ParameterException(
           spec.commandLine(), "--seconds " + seconds + " is below 1; give 1 or more");
+    }
+    for (int i = 0; i < sizes.size(); i++) {
+      if (sizes.get(i) <= (i == 0 ? 0 : sizes.get(i - 1))) {
+        throw new ParameterException(
+            spec.commandLine(),
+            "--robots " + sizes + " are not ascending numbers above 0; give such numbers");
+      }
     }
     Report report = new Report(spec.commandLine().getOut());
     bench.get().run(report);

@@ -36,6 +36,7 @@ final class OutboundCall implements OutboundRequest, MessageOutput.Sender, Messa
     this.unfulfilled = unfulfilled;
     this.request = new MessageOutput(connection.output(), this);
     this.response = new MessageInput(connection.input(), this);
+    TransportTraffic.countCallSent();
   }
 
   @Override

@@ -237,6 +237,7 @@ final class ServerConnection implements Runnable {
   private boolean serveOne(ByteBuffer buffer, ByteBuffer output) throws IOException {
     InboundCall call = new InboundCall(this, buffer, output);
     enter(State.EXECUTING);
+    TransportTraffic.countCallServed();
     port.dispatcher().dispatch(call);
     boolean unused = Thread.interrupted(); // an object may leave it set; it would close the channel
     if (!call.isAnswered()) {

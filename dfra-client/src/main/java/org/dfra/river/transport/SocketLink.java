@@ -66,7 +66,9 @@ final class SocketLink implements Link {
 
   @Override
   public int read(ByteBuffer into) throws IOException {
-    return channel.read(into);
+    int count = channel.read(into);
+    TransportTraffic.countReceived(count);
+    return count;
   }
 
   @Override
@@ -75,6 +77,7 @@ final class SocketLink implements Link {
     while (from.hasRemaining() && channel.isBlocking()) {
       count += channel.write(from);
     }
+    TransportTraffic.countSent(count);
     return count;
   }
 

@@ -1,0 +1,193 @@
+package org.dfra.benchmarks.scale;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import org.dfra.benchmarks.attack.ProcessSample;
+import org.dfra.benchmarks.scale.TeamResult.Load;
+
+/**
+ * A team of robots on this computer, each a process with a lookup service and modules of its own.
+ * Used by one thread.
+ */
+public final class Team implements AutoCloseable {
+
+  /** Number of modules of each robot. */
+  public static final int MODULES = 15;
+
+  /** Processes that start at the same time: a few for each core. */
+  private static final int STARTING = 6;
+
+  private static final int CHANGES = 11;
+
+  /** How long the traffic is measured: a few times the interval of renewals, 10 s. */
+  private static final Duration MEASURED = Duration.ofSeconds(30);
+
+  /** Registrations, first reads and their threads are over by then. */
+  private static final Duration SETTLING = Duration.ofSeconds(20);
+
+  private final List<TeamProcess> robots = new ArrayList<>();
+  private final List<String> locators = new ArrayList<>();
+  private final Consumer<String> progress;
+
+  private Team(Consumer<String> progress) {
+    this.progress = progress;
+  }
+
+  /**
+   * Starts a team, and waits until each robot's lookup service lists its modules.
+   *
+   * @param robots number of robots
+   * @param progress receives sentences
+   * @throws IOException if a process does not start; its message contains the log
+   */
+  public static Team start(int robots, Consumer<String> progress)
+      throws IOException, InterruptedException {
+    Team team = new Team(progress);
+    try {
+      progress.accept("Starting " + robots + " robots with " + MODULES + " modules each …");
+      for (int i = 0; i < robots; i++) {
+        team.robots.add(TeamProcess.robot("robot" + i, MODULES, List.of()));
+        if (i >= STARTING) {
+          team.locators.add(team.robots.get(i - STARTING).awaitLocator());
+        }
+      }
+      while (team.locators.size() < robots) {
+        team.locators.add(team.robots.get(team.locators.size()).awaitLocator());
+      }
+      return team;
+    } catch (IOException | InterruptedException | RuntimeException e) {
+      team.close();
+      throw e;
+    }
+  }
+
+  private int modules() {
+    return robots.size() * MODULES;
+  }
+
+  /** Measures with one observer, and then with each robot observing all. */
+  public TeamResult measure() throws IOException, InterruptedException {
+    double complete;
+    List<ProcessTraffic> observed;
+    ProcessTraffic observing;
+    List<Double> changes = new ArrayList<>();
+    try (TeamProcess observer = TeamProcess.observer()) {
+      observer.watch(modules(), locators);
+      complete = observer.awaitComplete();
+      progress.accept("One observer knows all " + modules() + " modules; measuring its traffic …");
+      List<TeamProcess> all = new ArrayList<>(robots);
+      all.add(observer);
+      List<ProcessTraffic> traffic = measureTraffic(all);
+      observing = traffic.get(robots.size());
+      observed = traffic.subList(0, robots.size());
+      for (int i = 0; i < CHANGES; i++) {
+        TeamProcess one = robots.get(i * robots.size() / CHANGES);
+        long before = one.toggle();
+        changes.add((observer.awaitChange() - before) / 1e9);
+      }
+    }
+    for (TeamProcess each : robots) {
+      each.watch(modules(), locators);
+    }
+    double allComplete = 0;
+    for (TeamProcess each : robots) {
+      allComplete = Math.max(allComplete, each.awaitComplete());
+    }
+    progress.accept("Each robot knows all; measuring their traffic …");
+    List<Long> pids = robots.stream().map(TeamProcess::pid).toList();
+    settle();
+    Duration cpu = ProcessSample.cpu(pids);
+    long began = System.nanoTime();
+    List<ProcessTraffic> traffic = measureTraffic(robots);
+    double seconds = (System.nanoTime() - began) / 1e9;
+    double used = ProcessSample.cpu(pids).minus(cpu).toNanos() / 1e9 / seconds;
+    return new TeamResult(
+        robots.size(),
+        complete,
+        Load.of(observing, 1),
+        Load.of(ProcessTraffic.sum(observed), 1),
+        changes,
+        allComplete,
+        Load.of(ProcessTraffic.sum(traffic), robots.size()),
+        Collections.max(traffic.stream().map(ProcessTraffic::callsSent).toList()),
+        used);
+  }
+
+  /** Each process's traffic in a second, over a while. */
+  private static List<ProcessTraffic> measureTraffic(List<TeamProcess> of)
+      throws IOException, InterruptedException {
+    settle();
+    List<ProcessTraffic> before = new ArrayList<>();
+    List<Long> began = new ArrayList<>();
+    for (TeamProcess each : of) {
+      before.add(each.traffic());
+      began.add(System.nanoTime());
+    }
+    pass(MEASURED);
+    List<ProcessTraffic> traffic = new ArrayList<>();
+    for (int i = 0; i < of.size(); i++) {
+      ProcessTraffic after = of.get(i).traffic();
+      double seconds = (System.nanoTime() - began.get(i)) / 1e9;
+      traffic.add(after.perSecond(before.get(i), seconds));
+    }
+    return traffic;
+  }
+
+  private static void settle() throws InterruptedException {
+    pass(SETTLING);
+  }
+
+  /** There is no condition to wait for: the benchmark measures over this interval. */
+  private static void pass(Duration interval) throws InterruptedException {
+    boolean unused = new CountDownLatch(1).await(interval.toMillis(), TimeUnit.MILLISECONDS);
+  }
+
+  /**
+   * Counts the threads of a virtual machine whose modules join several lookup services.
+   *
+   * @param modules number of its modules
+   * @param registrars number of lookup services, its own one among them
+   * @return the number of its threads, also those of the virtual machine itself, when all modules
+   *     are registered everywhere and it has settled
+   */
+  public static int threadsOf(int modules, int registrars)
+      throws IOException, InterruptedException {
+    List<TeamProcess> others = new ArrayList<>();
+    try {
+      List<String> locators = new ArrayList<>();
+      for (int i = 1; i < registrars; i++) {
+        TeamProcess other = TeamProcess.robot("other" + i, 0, List.of());
+        others.add(other);
+        locators.add(other.awaitLocator());
+      }
+      TeamProcess one = TeamProcess.robot("robot", modules, locators);
+      others.add(one);
+      locators.add(one.awaitLocator());
+      try (TeamProcess observer = TeamProcess.observer()) {
+        observer.watch(modules, locators);
+        double unused = observer.awaitComplete();
+      }
+      settle();
+      settle();
+      return ProcessSample.threads(one.pid());
+    } finally {
+      for (TeamProcess each : others) {
+        each.close();
+      }
+    }
+  }
+
+  /** Kills all processes. */
+  @Override
+  public void close() throws InterruptedException {
+    for (TeamProcess each : robots) {
+      each.close();
+    }
+  }
+}

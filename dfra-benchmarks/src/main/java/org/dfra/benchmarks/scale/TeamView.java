@@ -1,0 +1,143 @@
+package org.dfra.benchmarks.scale;
+
+import com.google.errorprone.annotations.concurrent.GuardedBy;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.lang.management.ManagementFactory;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.dfra.directory.DirectoryListener;
+import org.dfra.directory.DirectoryRegistration;
+import org.dfra.directory.ModuleListing;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.flow.sensor.GPSSensor;
+import org.dfra.lifecycle.Readiness;
+import org.dfra.persona.ModuleAttributes;
+import org.dfra.river.lookup.JiniModuleDirectory;
+import org.dfra.river.transport.TransportTraffic;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What one process knows of a team, and what it costs. Commands, and what they print:
+ *
+ * <ul>
+ *   <li>{@code watch MODULES LOCATOR…}: knows the team from now on; {@code complete} and the
+ *       nanoseconds until it knew so many modules;
+ *   <li>{@code traffic}: {@code traffic}, the calls sent and served, the bytes sent and received
+ *       since its start, and the number of its Java threads;
+ *   <li>{@code stop}: knows nothing any more; {@code stopped}.
+ * </ul>
+ *
+ * <p>While it knows the team, it prints {@code saw} and the nanoseconds of the system when a module
+ * has paused or resumed.
+ */
+final class TeamView implements AutoCloseable {
+
+  private static final String HOST = "127.0.0.1";
+  private static final int PATIENCE_MINUTES = 3;
+
+  private final PrintStream out;
+  private @Nullable JiniModuleDirectory directory;
+  private @Nullable DirectoryRegistration registration;
+
+  TeamView(PrintStream out) {
+    this.out = out;
+  }
+
+  /**
+   * Obeys a command.
+   *
+   * @throws IOException if the team is not complete in time, or the command is unknown
+   */
+  void obey(String line) throws IOException, InterruptedException {
+    List<String> words = Arrays.asList(line.split(" ", -1));
+    switch (words.get(0)) {
+      case "watch" -> watch(Integer.parseInt(words.get(1)), words.subList(2, words.size()));
+      case "traffic" -> {
+        TransportTraffic now = TransportTraffic.now();
+        out.println(
+            "traffic "
+                + now.callsSent()
+                + " "
+                + now.callsServed()
+                + " "
+                + now.bytesSent()
+                + " "
+                + now.bytesReceived()
+                + " "
+                + ManagementFactory.getThreadMXBean().getThreadCount());
+      }
+      case "stop" -> {
+        close();
+        out.println("stopped");
+      }
+      default -> throw new IOException("unknown command: " + line);
+    }
+  }
+
+  private void watch(int modules, List<String> locators) throws IOException, InterruptedException {
+    long began = System.nanoTime();
+    JiniModuleDirectory opened = new JiniModuleDirectory(HOST, List.of(), locators);
+    directory = opened;
+    Changes changes = new Changes(modules);
+    registration = opened.listen(ModuleQuery.of(GPSSensor.class), changes);
+    if (!changes.complete.await(PATIENCE_MINUTES, TimeUnit.MINUTES)) {
+      throw new IOException(changes.complete.getCount() + " modules were not found");
+    }
+    out.println("complete " + (changes.completeAt() - began));
+  }
+
+  /** Counts the modules, and reports changes of their state. */
+  private final class Changes implements DirectoryListener<GPSSensor> {
+
+    private final CountDownLatch complete;
+
+    @GuardedBy("this")
+    private long completeAt;
+
+    Changes(int modules) {
+      complete = new CountDownLatch(modules);
+    }
+
+    synchronized long completeAt() {
+      return completeAt;
+    }
+
+    @Override
+    public void matched(ModuleListing<GPSSensor> listing) {
+      synchronized (this) {
+        completeAt = System.nanoTime();
+      }
+      complete.countDown();
+    }
+
+    @Override
+    public void changed(ModuleListing<GPSSensor> before, ModuleListing<GPSSensor> now) {
+      long at = System.nanoTime();
+      if (isPaused(before) != isPaused(now)) {
+        out.println("saw " + at);
+      }
+    }
+  }
+
+  private static boolean isPaused(ModuleListing<GPSSensor> listing) {
+    return listing
+        .attributes(ModuleAttributes.class)
+        .filter(each -> each.state() == Readiness.PAUSED)
+        .isPresent();
+  }
+
+  @Override
+  public void close() {
+    if (registration != null) {
+      registration.close();
+      registration = null;
+    }
+    if (directory != null) {
+      directory.close();
+      directory = null;
+    }
+  }
+}
