@@ -68,8 +68,12 @@ final class ScaleBench implements Bench {
     report.say(
         "Each robot is a process with a lookup service and "
             + Team.MODULES
-            + " modules. A call counts for the process that makes it; bytes count in both"
-            + " directions. A hundred robots need 10 GB of memory.");
+            + " modules; of more than "
+            + Team.MAX_PROCESSES
+            + " robots, "
+            + Team.PACKED
+            + " are in a process, with discovery, directory and renewals of their own. A call counts"
+            + " for the process that makes it; bytes count in both directions.");
     report.figure(
         "threads of a JVM with " + MODULES + " modules and " + REGISTRARS + " lookup services",
         Team.threadsOf(MODULES, REGISTRARS),
@@ -121,7 +125,6 @@ final class ScaleBench implements Bench {
         result.robot().calls(),
         isLargest ? MAX_CALLS : unbounded,
         "1/s");
-    report.figure(team + "each knows all: calls of a robot, most", result.mostCalls(), "1/s");
     report.figure(team + "each knows all: traffic of a robot, mean", result.robot().bytes(), "B/s");
     report.figure(team + "each knows all: threads of a robot, mean", result.robot().threads(), "");
     report.figure(team + "each knows all: busy cores in all", result.cpu(), "");

@@ -3,6 +3,7 @@ package org.dfra.benchmarks.scale;
 import java.io.BufferedReader;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
+import java.util.List;
 import org.dfra.benchmarks.task.Task;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
@@ -20,7 +21,8 @@ public final class ObserverTask implements Task {
   public void run(String[] args, PrintStream out) throws Exception {
     SerialFilters.install();
     TrustedCode.install();
-    try (TeamView view = new TeamView(out);
+    try (TeamView view =
+            new TeamView(List.of(Thread.currentThread().getContextClassLoader()), out);
         BufferedReader in = new BufferedReader(new InputStreamReader(System.in))) {
       out.println("ready");
       for (String line; (line = in.readLine()) != null; ) {

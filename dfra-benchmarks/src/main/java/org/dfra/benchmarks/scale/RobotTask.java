@@ -4,6 +4,8 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.PrintStream;
+import java.net.URL;
+import java.net.URLClassLoader;
 import java.rmi.MarshalledObject;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -25,12 +27,17 @@ import org.dfra.river.server.ModuleServer;
 import org.dfra.river.server.sensor.GPSServer;
 
 /**
- * A robot's process: a lookup service, and modules that join it and, where locators are named,
- * others too. Arguments: the robot's name, the number of its modules, and the locators that they
- * join beside their own. It prints {@code locator LOCATOR} as soon as its own lookup service lists
- * all its modules, and obeys the commands of {@link TeamView}, and {@code toggle}: its first module
- * pauses or resumes, and it prints {@code toggled} and the nanoseconds of the system before that.
- * It ends with its input.
+ * The process of one robot or several: each has a lookup service, and modules that join it and,
+ * where locators are named, others too. Arguments: the robots' names, separated by commas, the
+ * number of modules of each, and the locators that they join beside their own. It prints {@code
+ * locators} and their locators as soon as each lookup service lists all its robot's modules, and
+ * obeys the commands of {@link TeamView}, for each of its robots, and {@code toggle}: its first
+ * module pauses or resumes, and it prints {@code toggled} and the nanoseconds of the system before
+ * that. It ends with its input.
+ *
+ * <p>Robots in one process share no search, no directory and no renewal, as if each had a process:
+ * these are shared by modules of one context class loader only. They share the pool of connections,
+ * and the JIT compiler's work.
  */
 public final class RobotTask implements Task {
 
@@ -41,6 +48,9 @@ public final class RobotTask implements Task {
 
   private static final Duration PATIENCE = Duration.ofMinutes(2);
 
+  /** A strong reference to each. */
+  private final List<GPSServer> servers = new ArrayList<>();
+
   /** For {@link org.dfra.benchmarks.task.TaskProcess}. */
   public RobotTask() {}
 
@@ -48,20 +58,35 @@ public final class RobotTask implements Task {
   public void run(String[] args, PrintStream out) throws Exception {
     SerialFilters.install();
     TrustedCode.install();
-    String robot = args[0];
     int modules = Integer.parseInt(args[1]);
+    List<String> others = List.of(args).subList(2, args.length);
+    List<ClassLoader> loaders = new ArrayList<>();
+    List<String> locators = new ArrayList<>();
+    Thread here = Thread.currentThread();
+    ClassLoader usual = here.getContextClassLoader();
+    for (String robot : args[0].split(",", -1)) {
+      ClassLoader own = new URLClassLoader(robot, new URL[0], usual);
+      loaders.add(own);
+      here.setContextClassLoader(own);
+      locators.add(start(robot, modules, others));
+    }
+    here.setContextClassLoader(usual);
+    out.println("locators " + String.join(" ", locators));
+    obey(loaders, out);
+    System.exit(0); // without closing what the kernel closes
+  }
+
+  /** Starts a robot; returns its locator when its lookup service lists all its modules. */
+  private String start(String robot, int modules, List<String> others) throws Exception {
     EmbeddedRegistrar registrar =
         new EmbeddedRegistrar(HOST, 0, List.of(robot), LEASE, Map.of()).start();
     List<String> joined = new ArrayList<>(List.of(registrar.locator()));
-    joined.addAll(List.of(args).subList(2, args.length));
-    List<GPSServer> servers = new ArrayList<>(); // a strong reference to each
+    joined.addAll(others);
     for (int i = 0; i < modules; i++) {
       servers.add(serve(robot, "module" + i, joined));
     }
     awaitListed(registrar.registrar(), modules);
-    out.println("locator " + registrar.locator());
-    obey(out);
-    System.exit(0); // without closing what the kernel closes
+    return registrar.locator();
   }
 
   private static GPSServer serve(String robot, String name, List<String> locators)
@@ -96,8 +121,8 @@ public final class RobotTask implements Task {
     }
   }
 
-  private static void obey(PrintStream out) throws Exception {
-    try (TeamView view = new TeamView(out);
+  private static void obey(List<ClassLoader> loaders, PrintStream out) throws Exception {
+    try (TeamView view = new TeamView(loaders, out);
         BufferedReader in = new BufferedReader(new InputStreamReader(System.in))) {
       for (String line; (line = in.readLine()) != null; ) {
         if (line.equals("toggle")) {

@@ -3,22 +3,28 @@ package org.dfra.benchmarks.scale;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import org.dfra.benchmarks.attack.ProcessSample;
 import org.dfra.benchmarks.scale.TeamResult.Load;
 
 /**
- * A team of robots on this computer, each a process with a lookup service and modules of its own.
- * Used by one thread.
+ * A team of robots on this computer, each with a lookup service and modules of its own. Used by one
+ * thread.
  */
 public final class Team implements AutoCloseable {
 
   /** Number of modules of each robot. */
   public static final int MODULES = 15;
+
+  /** A team of at most so many robots has a process for each. */
+  public static final int MAX_PROCESSES = 30;
+
+  /** Number of robots in a process of a larger team, whose JVMs this computer could not run. */
+  public static final int PACKED = 5;
 
   /** Processes that start at the same time: a few for each core. */
   private static final int STARTING = 6;
@@ -31,11 +37,13 @@ public final class Team implements AutoCloseable {
   /** Registrations, first reads and their threads are over by then. */
   private static final Duration SETTLING = Duration.ofSeconds(20);
 
+  private final int size;
   private final List<TeamProcess> robots = new ArrayList<>();
   private final List<String> locators = new ArrayList<>();
   private final Consumer<String> progress;
 
-  private Team(Consumer<String> progress) {
+  private Team(int size, Consumer<String> progress) {
+    this.size = size;
     this.progress = progress;
   }
 
@@ -48,17 +56,27 @@ public final class Team implements AutoCloseable {
    */
   public static Team start(int robots, Consumer<String> progress)
       throws IOException, InterruptedException {
-    Team team = new Team(progress);
+    int packed = robots > MAX_PROCESSES ? PACKED : 1;
+    Team team = new Team(robots, progress);
     try {
-      progress.accept("Starting " + robots + " robots with " + MODULES + " modules each …");
-      for (int i = 0; i < robots; i++) {
-        team.robots.add(TeamProcess.robot("robot" + i, MODULES, List.of()));
-        if (i >= STARTING) {
-          team.locators.add(team.robots.get(i - STARTING).awaitLocator());
+      progress.accept(
+          "Starting "
+              + robots
+              + " robots with "
+              + MODULES
+              + " modules each"
+              + (packed > 1 ? ", " + packed + " in a process …" : " …"));
+      List<String> names = IntStream.range(0, robots).mapToObj(i -> "robot" + i).toList();
+      int awaited = 0;
+      for (int i = 0; i < robots; i += packed) {
+        List<String> some = names.subList(i, Math.min(robots, i + packed));
+        team.robots.add(TeamProcess.robots(some, MODULES, List.of()));
+        if (team.robots.size() - awaited >= STARTING) {
+          team.locators.addAll(team.robots.get(awaited++).awaitLocators());
         }
       }
-      while (team.locators.size() < robots) {
-        team.locators.add(team.robots.get(team.locators.size()).awaitLocator());
+      while (awaited < team.robots.size()) {
+        team.locators.addAll(team.robots.get(awaited++).awaitLocators());
       }
       return team;
     } catch (IOException | InterruptedException | RuntimeException e) {
@@ -68,7 +86,7 @@ public final class Team implements AutoCloseable {
   }
 
   private int modules() {
-    return robots.size() * MODULES;
+    return size * MODULES;
   }
 
   /** Measures with one observer, and then with each robot observing all. */
@@ -108,14 +126,13 @@ public final class Team implements AutoCloseable {
     double seconds = (System.nanoTime() - began) / 1e9;
     double used = ProcessSample.cpu(pids).minus(cpu).toNanos() / 1e9 / seconds;
     return new TeamResult(
-        robots.size(),
+        size,
         complete,
         Load.of(observing, 1),
         Load.of(ProcessTraffic.sum(observed), 1),
         changes,
         allComplete,
-        Load.of(ProcessTraffic.sum(traffic), robots.size()),
-        Collections.max(traffic.stream().map(ProcessTraffic::callsSent).toList()),
+        Load.of(ProcessTraffic.sum(traffic), size),
         used);
   }
 
@@ -162,13 +179,13 @@ public final class Team implements AutoCloseable {
     try {
       List<String> locators = new ArrayList<>();
       for (int i = 1; i < registrars; i++) {
-        TeamProcess other = TeamProcess.robot("other" + i, 0, List.of());
+        TeamProcess other = TeamProcess.robots(List.of("other" + i), 0, List.of());
         others.add(other);
-        locators.add(other.awaitLocator());
+        locators.addAll(other.awaitLocators());
       }
-      TeamProcess one = TeamProcess.robot("robot", modules, locators);
+      TeamProcess one = TeamProcess.robots(List.of("robot"), modules, locators);
       others.add(one);
-      locators.add(one.awaitLocator());
+      locators.addAll(one.awaitLocators());
       try (TeamProcess observer = TeamProcess.observer()) {
         observer.watch(modules, locators);
         double unused = observer.awaitComplete();

@@ -6,11 +6,11 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dfra.benchmarks.task.TaskProcess;
 
-/** A robot's or an observer's process. Used by one thread at a time. */
+/** The process of robots, or of an observer. Used by one thread at a time. */
 final class TeamProcess implements AutoCloseable {
 
   private static final Duration PATIENCE = Duration.ofMinutes(5);
-  private static final List<String> OPTIONS = List.of("-Xmx96m");
+  private static final List<String> OPTIONS = List.of("-Xmx256m");
 
   private final TaskProcess process;
 
@@ -19,13 +19,14 @@ final class TeamProcess implements AutoCloseable {
   }
 
   /**
-   * Starts a robot; {@link #awaitLocator} waits for it.
+   * Starts robots; {@link #awaitLocators} waits for them.
    *
-   * @param modules number of its modules
-   * @param others locators that its modules join beside its own
+   * @param modules number of modules of each
+   * @param others locators that their modules join beside their own
    */
-  static TeamProcess robot(String name, int modules, List<String> others) throws IOException {
-    List<String> args = new ArrayList<>(List.of(name, Integer.toString(modules)));
+  static TeamProcess robots(List<String> names, int modules, List<String> others)
+      throws IOException {
+    List<String> args = new ArrayList<>(List.of(String.join(",", names), "" + modules));
     args.addAll(others);
     return new TeamProcess(
         TaskProcess.start(List.of(), OPTIONS, RobotTask.class, args.toArray(String[]::new)));
@@ -39,21 +40,21 @@ final class TeamProcess implements AutoCloseable {
     return observer;
   }
 
-  /** The locator of the robot's lookup service, when that lists all its modules. */
-  String awaitLocator() throws IOException, InterruptedException {
-    return answer("locator ");
+  /** The locators of its robots' lookup services, when these list all modules. */
+  List<String> awaitLocators() throws IOException, InterruptedException {
+    return List.of(answer("locators ").split(" ", -1));
   }
 
   private String answer(String prefix) throws IOException, InterruptedException {
     return process.awaitLine(prefix, PATIENCE).substring(prefix.length());
   }
 
-  /** Begins to know a team; {@link #awaitComplete} waits until it does. */
+  /** Begins to know a team; {@link #awaitComplete} waits until each of its robots does. */
   void watch(int modules, List<String> locators) throws IOException {
     process.write("watch " + modules + " " + String.join(" ", locators));
   }
 
-  /** Seconds until it knew the whole team. */
+  /** Seconds until the last of its robots knew the whole team. */
   double awaitComplete() throws IOException, InterruptedException {
     return Long.parseLong(answer("complete ")) / 1e9;
   }
@@ -65,7 +66,7 @@ final class TeamProcess implements AutoCloseable {
   }
 
   /**
-   * Pauses or resumes its first module.
+   * Pauses or resumes the first module of its first robot.
    *
    * @return nanoseconds of the system before that
    */

@@ -11,8 +11,8 @@ import java.util.List;
  * @param observed the sum of the robots' traffic in a second, while one observer knows them
  * @param changes seconds from each of some changes until the observer saw it
  * @param allComplete seconds until the last robot knew all modules of all robots
- * @param robot the mean of the robots' traffic in a second, while each knows all; threads likewise
- * @param mostCalls the most calls that one robot made in a second then, over the whole measurement
+ * @param robot the mean of the robots' traffic in a second, while each knows all; threads likewise,
+ *     of the processes divided by the number of robots
  * @param cpu CPU time of all processes in a second then, seconds
  */
 public record TeamResult(
@@ -23,7 +23,6 @@ public record TeamResult(
     List<Double> changes,
     double allComplete,
     Load robot,
-    double mostCalls,
     double cpu) {
 
   public TeamResult {

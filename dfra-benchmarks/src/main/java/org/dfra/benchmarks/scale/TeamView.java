@@ -4,6 +4,7 @@ import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
@@ -17,14 +18,14 @@ import org.dfra.lifecycle.Readiness;
 import org.dfra.persona.ModuleAttributes;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.transport.TransportTraffic;
-import org.jspecify.annotations.Nullable;
 
 /**
- * What one process knows of a team, and what it costs. Commands, and what they print:
+ * What the robots or the observer of one process know of a team, and what it costs. Commands, and
+ * what they print:
  *
  * <ul>
- *   <li>{@code watch MODULES LOCATOR…}: knows the team from now on; {@code complete} and the
- *       nanoseconds until it knew so many modules;
+ *   <li>{@code watch MODULES LOCATOR…}: each knows the team from now on, by a directory of its own;
+ *       {@code complete} and the nanoseconds until the last one knew so many modules;
  *   <li>{@code traffic}: {@code traffic}, the calls sent and served, the bytes sent and received
  *       since its start, and the number of its Java threads;
  *   <li>{@code stop}: knows nothing any more; {@code stopped}.
@@ -38,11 +39,16 @@ final class TeamView implements AutoCloseable {
   private static final String HOST = "127.0.0.1";
   private static final int PATIENCE_MINUTES = 3;
 
+  private final List<ClassLoader> loaders;
   private final PrintStream out;
-  private @Nullable JiniModuleDirectory directory;
-  private @Nullable DirectoryRegistration registration;
+  private final List<JiniModuleDirectory> directories = new ArrayList<>();
+  private final List<DirectoryRegistration> registrations = new ArrayList<>();
 
-  TeamView(PrintStream out) {
+  /**
+   * @param loaders one context class loader for each robot or observer
+   */
+  TeamView(List<ClassLoader> loaders, PrintStream out) {
+    this.loaders = List.copyOf(loaders);
     this.out = out;
   }
 
@@ -79,14 +85,26 @@ final class TeamView implements AutoCloseable {
 
   private void watch(int modules, List<String> locators) throws IOException, InterruptedException {
     long began = System.nanoTime();
-    JiniModuleDirectory opened = new JiniModuleDirectory(HOST, List.of(), locators);
-    directory = opened;
-    Changes changes = new Changes(modules);
-    registration = opened.listen(ModuleQuery.of(GPSSensor.class), changes);
-    if (!changes.complete.await(PATIENCE_MINUTES, TimeUnit.MINUTES)) {
-      throw new IOException(changes.complete.getCount() + " modules were not found");
+    Thread here = Thread.currentThread();
+    ClassLoader usual = here.getContextClassLoader();
+    List<Changes> all = new ArrayList<>();
+    for (ClassLoader each : loaders) {
+      here.setContextClassLoader(each);
+      JiniModuleDirectory opened = new JiniModuleDirectory(HOST, List.of(), locators);
+      directories.add(opened);
+      Changes changes = new Changes(modules);
+      all.add(changes);
+      registrations.add(opened.listen(ModuleQuery.of(GPSSensor.class), changes));
     }
-    out.println("complete " + (changes.completeAt() - began));
+    here.setContextClassLoader(usual);
+    long last = began;
+    for (Changes each : all) {
+      if (!each.complete.await(PATIENCE_MINUTES, TimeUnit.MINUTES)) {
+        throw new IOException(each.complete.getCount() + " modules were not found");
+      }
+      last = Math.max(last, each.completeAt());
+    }
+    out.println("complete " + (last - began));
   }
 
   /** Counts the modules, and reports changes of their state. */
@@ -131,13 +149,9 @@ final class TeamView implements AutoCloseable {
 
   @Override
   public void close() {
-    if (registration != null) {
-      registration.close();
-      registration = null;
-    }
-    if (directory != null) {
-      directory.close();
-      directory = null;
-    }
+    registrations.forEach(DirectoryRegistration::close);
+    registrations.clear();
+    directories.forEach(JiniModuleDirectory::close);
+    directories.clear();
   }
 }

@@ -260,6 +260,7 @@ final class RegistrarMonitor implements AutoCloseable {
         heartbeat.cancel();
       }
     }
+    ReadPermits.SHARED.release(this);
     if (closed) {
       cancel();
     }
@@ -279,7 +280,15 @@ final class RegistrarMonitor implements AutoCloseable {
       register(stub);
     }
     if (incomplete) {
-      reconcile();
+      if (!ReadPermits.SHARED.acquire(this, this::wake)) {
+        beatIfDue();
+        return;
+      }
+      try {
+        reconcile();
+      } finally {
+        ReadPermits.SHARED.release(this);
+      }
     } else if (services != UNKNOWN && System.nanoTime() - compareAt > 0) {
       compare();
     }
@@ -375,13 +384,15 @@ final class RegistrarMonitor implements AutoCloseable {
    */
   private void compare() throws RemoteException {
     if (++comparisons % COMPLETE_EVERY == 0) {
-      reconcile();
+      incomplete = true;
+      wake();
       return;
     }
     boolean isOther = count() != services;
     if (isOther && isOtherCount) {
       LOG.debug("Events of {} were lost: everything is read.", identity);
-      reconcile();
+      incomplete = true;
+      wake();
       return;
     }
     isOtherCount = isOther;
