@@ -10,6 +10,8 @@ import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import org.dfra.benchmarks.scale.Team;
 import org.dfra.benchmarks.scale.TeamResult;
+import org.dfra.benchmarks.scale.TeamResult.Mutual;
+import org.dfra.benchmarks.scale.TeamResult.Observed;
 import org.dfra.report.plot.Axis;
 import org.dfra.report.plot.HtmlReport;
 import org.dfra.report.plot.LinePanel;
@@ -56,12 +58,15 @@ final class ScaleBench implements Bench {
 
   private static final List<Grown> GROWN =
       List.of(
-          new Grown("observer", "calls", "1/s", each -> each.observer().calls()),
-          new Grown("observer", "traffic", "B/s", each -> each.observer().bytes()),
-          new Grown("observer", "threads", "", each -> each.observer().threads()),
-          new Grown("each robot, knowing all", "calls", "1/s", each -> each.robot().calls()),
-          new Grown("each robot, knowing all", "traffic", "B/s", each -> each.robot().bytes()),
-          new Grown("each robot, knowing all", "threads", "", each -> each.robot().threads()));
+          new Grown("observer", "calls", "1/s", each -> each.observed().observer().calls()),
+          new Grown("observer", "traffic", "B/s", each -> each.observed().observer().bytes()),
+          new Grown("observer", "threads", "", each -> each.observed().observer().threads()),
+          new Grown(
+              "each robot, knowing all", "calls", "1/s", each -> each.mutual().robot().calls()),
+          new Grown(
+              "each robot, knowing all", "traffic", "B/s", each -> each.mutual().robot().bytes()),
+          new Grown(
+              "each robot, knowing all", "threads", "", each -> each.mutual().robot().threads()));
 
   @Override
   public void run(Report report) throws Exception {
@@ -82,9 +87,11 @@ final class ScaleBench implements Bench {
     List<TeamResult> results = new ArrayList<>();
     for (int size : sizes) {
       try (Team team = Team.start(size, report::say)) {
-        TeamResult result = team.measure();
-        results.add(result);
-        report(report, result);
+        Observed observed = team.measureObserved();
+        report(report, size, observed);
+        Mutual mutual = team.measureMutual();
+        report(report, size, mutual);
+        results.add(new TeamResult(size, observed, mutual));
       }
     }
     if (results.size() > 1) {
@@ -93,52 +100,58 @@ final class ScaleBench implements Bench {
     }
   }
 
-  private static void report(Report report, TeamResult result) {
-    int robots = result.robots();
-    boolean isLargest = robots == SIZES.get(SIZES.size() - 1);
+  private static void report(Report report, int robots, Observed observed) {
     String team = robots + " robots: ";
-    double unbounded = Double.POSITIVE_INFINITY;
     report.figure(
         team + "one observer knows all after",
-        result.complete(),
-        isLargest ? MAX_COMPLETE : unbounded,
+        observed.complete(),
+        forLargest(robots, MAX_COMPLETE),
         "s");
     report.figure(
-        team + "traffic of one robot's lookup service with one observer",
-        result.observer().bytes() / robots,
+        team + "traffic of one lookup service with one observer",
+        observed.observer().bytes() / robots,
         "B/s");
     report.figure(
         team + "calls of the observer to one lookup service",
-        result.observer().calls() / robots,
+        observed.observer().calls() / robots,
         "1/s");
-    report.figure(team + "threads of the observer", result.observer().threads(), "");
+    report.figure(team + "threads of the observer", observed.observer().threads(), "");
     report.figure(
         team + "traffic of all robots and the observer",
-        result.observed().bytes() + result.observer().bytes(),
+        observed.robots().bytes() + observed.observer().bytes(),
         "B/s");
-    double[] changes = result.changes().stream().mapToDouble(Double::doubleValue).toArray();
+    double[] changes = observed.changes().stream().mapToDouble(Double::doubleValue).toArray();
     report.figure(team + "a change is seen after, median", Report.quantile(changes, 0.5), "s");
     report.figure(team + "a change is seen after, longest", Report.quantile(changes, 1), "s");
-    report.figure(team + "each robot knows all after, the last", result.allComplete(), "s");
+  }
+
+  private static void report(Report report, int robots, Mutual mutual) {
+    String team = robots + " robots, each knowing all: ";
+    report.figure(team + "the last one does after", mutual.complete(), "s");
     report.figure(
-        team + "each knows all: calls of a robot, mean",
-        result.robot().calls(),
-        isLargest ? MAX_CALLS : unbounded,
-        "1/s");
-    report.figure(team + "each knows all: traffic of a robot, mean", result.robot().bytes(), "B/s");
-    report.figure(team + "each knows all: threads of a robot, mean", result.robot().threads(), "");
-    report.figure(team + "each knows all: busy cores in all", result.cpu(), "");
+        team + "calls of a robot", mutual.robot().calls(), forLargest(robots, MAX_CALLS), "1/s");
+    report.figure(team + "traffic of a robot", mutual.robot().bytes(), "B/s");
+    report.figure(team + "threads of a robot", mutual.robot().threads(), "");
+    report.figure(team + "busy cores in all", mutual.cpu(), "");
+  }
+
+  private static double forLargest(int robots, double target) {
+    return robots == SIZES.get(SIZES.size() - 1) ? target : Double.POSITIVE_INFINITY;
   }
 
   private static void exponents(Report report, List<TeamResult> results) {
     report.figure(
         "total traffic with one observer: exponent over robots",
-        exponent(results, each -> each.observed().bytes() + each.observer().bytes()),
+        exponent(results, ScaleBench::totalBytes),
         MAX_EXPONENT,
         "");
     for (Grown each : GROWN) {
       report.figure(each.name() + ": exponent over robots", exponent(results, each.value()), "");
     }
+  }
+
+  private static double totalBytes(TeamResult result) {
+    return result.observed().robots().bytes() + result.observed().observer().bytes();
   }
 
   /** The slope of the line of least squares through the logarithms. */

@@ -10,6 +10,8 @@ import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import org.dfra.benchmarks.attack.ProcessSample;
 import org.dfra.benchmarks.scale.TeamResult.Load;
+import org.dfra.benchmarks.scale.TeamResult.Mutual;
+import org.dfra.benchmarks.scale.TeamResult.Observed;
 
 /**
  * A team of robots on this computer, each with a lookup service and modules of its own. Used by one
@@ -89,33 +91,37 @@ public final class Team implements AutoCloseable {
     return size * MODULES;
   }
 
-  /** Measures with one observer, and then with each robot observing all. */
-  public TeamResult measure() throws IOException, InterruptedException {
-    double complete;
-    List<ProcessTraffic> observed;
-    ProcessTraffic observing;
-    List<Double> changes = new ArrayList<>();
+  /** Measures with one observer. */
+  public Observed measureObserved() throws IOException, InterruptedException {
     try (TeamProcess observer = TeamProcess.observer()) {
       observer.watch(modules(), locators);
-      complete = observer.awaitComplete();
+      double complete = observer.awaitComplete();
       progress.accept("One observer knows all " + modules() + " modules; measuring its traffic …");
       List<TeamProcess> all = new ArrayList<>(robots);
       all.add(observer);
       List<ProcessTraffic> traffic = measureTraffic(all);
-      observing = traffic.get(robots.size());
-      observed = traffic.subList(0, robots.size());
+      List<Double> changes = new ArrayList<>();
       for (int i = 0; i < CHANGES; i++) {
         TeamProcess one = robots.get(i * robots.size() / CHANGES);
         long before = one.toggle();
         changes.add((observer.awaitChange() - before) / 1e9);
       }
+      return new Observed(
+          complete,
+          Load.of(traffic.get(robots.size()), 1),
+          Load.of(ProcessTraffic.sum(traffic.subList(0, robots.size())), 1),
+          changes);
     }
+  }
+
+  /** Measures with each robot observing all. Afterwards they still do. */
+  public Mutual measureMutual() throws IOException, InterruptedException {
     for (TeamProcess each : robots) {
       each.watch(modules(), locators);
     }
-    double allComplete = 0;
+    double complete = 0;
     for (TeamProcess each : robots) {
-      allComplete = Math.max(allComplete, each.awaitComplete());
+      complete = Math.max(complete, each.awaitComplete());
     }
     progress.accept("Each robot knows all; measuring their traffic …");
     List<Long> pids = robots.stream().map(TeamProcess::pid).toList();
@@ -124,16 +130,10 @@ public final class Team implements AutoCloseable {
     long began = System.nanoTime();
     List<ProcessTraffic> traffic = measureTraffic(robots);
     double seconds = (System.nanoTime() - began) / 1e9;
-    double used = ProcessSample.cpu(pids).minus(cpu).toNanos() / 1e9 / seconds;
-    return new TeamResult(
-        size,
+    return new Mutual(
         complete,
-        Load.of(observing, 1),
-        Load.of(ProcessTraffic.sum(observed), 1),
-        changes,
-        allComplete,
         Load.of(ProcessTraffic.sum(traffic), size),
-        used);
+        ProcessSample.cpu(pids).minus(cpu).toNanos() / 1e9 / seconds);
   }
 
   /** Each process's traffic in a second, over a while. */

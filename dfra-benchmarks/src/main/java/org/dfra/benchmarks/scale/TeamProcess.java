@@ -9,7 +9,7 @@ import org.dfra.benchmarks.task.TaskProcess;
 /** The process of robots, or of an observer. Used by one thread at a time. */
 final class TeamProcess implements AutoCloseable {
 
-  private static final Duration PATIENCE = Duration.ofMinutes(5);
+  private static final Duration PATIENCE = Duration.ofMinutes(20);
   private static final List<String> OPTIONS = List.of("-Xmx256m");
 
   private final TaskProcess process;

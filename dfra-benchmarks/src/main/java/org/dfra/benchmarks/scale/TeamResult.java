@@ -6,28 +6,10 @@ import java.util.List;
  * What a team of one size costs.
  *
  * @param robots number of robots
- * @param complete seconds until one observer knew all modules
- * @param observer the observer's traffic in a second, and its threads
- * @param observed the sum of the robots' traffic in a second, while one observer knows them
- * @param changes seconds from each of some changes until the observer saw it
- * @param allComplete seconds until the last robot knew all modules of all robots
- * @param robot the mean of the robots' traffic in a second, while each knows all; threads likewise,
- *     of the processes divided by the number of robots
- * @param cpu CPU time of all processes in a second then, seconds
+ * @param observed with one observer
+ * @param mutual with each robot observing all
  */
-public record TeamResult(
-    int robots,
-    double complete,
-    Load observer,
-    Load observed,
-    List<Double> changes,
-    double allComplete,
-    Load robot,
-    double cpu) {
-
-  public TeamResult {
-    changes = List.copyOf(changes);
-  }
+public record TeamResult(int robots, Observed observed, Mutual mutual) {
 
   /**
    * What a process does in a second.
@@ -43,4 +25,29 @@ public record TeamResult(
           perSecond.callsSent() / share, perSecond.bytes() / share, perSecond.threads() / share);
     }
   }
+
+  /**
+   * One observer knows the team.
+   *
+   * @param complete seconds until it knew all modules
+   * @param observer its traffic in a second, and its threads
+   * @param robots the sum of the robots' traffic in a second
+   * @param changes seconds from each of some changes until the observer saw it
+   */
+  public record Observed(double complete, Load observer, Load robots, List<Double> changes) {
+
+    public Observed {
+      changes = List.copyOf(changes);
+    }
+  }
+
+  /**
+   * Each robot knows the team.
+   *
+   * @param complete seconds until the last robot knew all modules
+   * @param robot the mean of the robots' traffic in a second; its threads are those of the
+   *     processes divided by the number of robots
+   * @param cpu CPU time of all processes in a second, seconds
+   */
+  public record Mutual(double complete, Load robot, double cpu) {}
 }

@@ -37,7 +37,7 @@ import org.dfra.river.transport.TransportTraffic;
 final class TeamView implements AutoCloseable {
 
   private static final String HOST = "127.0.0.1";
-  private static final int PATIENCE_MINUTES = 3;
+  private static final int PATIENCE_MINUTES = 15;
 
   private final List<ClassLoader> loaders;
   private final PrintStream out;
