@@ -3,6 +3,7 @@ package org.dfra.benchmarks;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -12,6 +13,7 @@ import org.dfra.benchmarks.scale.Team;
 import org.dfra.benchmarks.scale.TeamResult;
 import org.dfra.benchmarks.scale.TeamResult.Mutual;
 import org.dfra.benchmarks.scale.TeamResult.Observed;
+import org.dfra.report.measurement.ReportHead;
 import org.dfra.report.plot.Axis;
 import org.dfra.report.plot.HtmlReport;
 import org.dfra.report.plot.LinePanel;
@@ -178,6 +180,7 @@ final class ScaleBench implements Bench {
       page.row(PLOT_HEIGHT, panel(GROWN.get(i), results), panel(GROWN.get(half + i), results));
     }
     HtmlReport html = new HtmlReport("Growth with the number of robots");
+    ReportHead.add(html, report.figures(), Instant.now());
     html.figure(
         page,
         String.format(

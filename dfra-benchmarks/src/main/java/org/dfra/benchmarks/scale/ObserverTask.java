@@ -9,8 +9,8 @@ import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
 
 /**
- * The process of somebody who looks at a team. It prints {@code ready}, and obeys the commands of
- * {@link TeamView}. It ends with its input.
+ * The process of somebody who looks at a team. It prints {@code ready}, and executes the commands
+ * of {@link TeamView}. It ends with its input.
  */
 public final class ObserverTask implements Task {
 
@@ -26,7 +26,7 @@ public final class ObserverTask implements Task {
         BufferedReader in = new BufferedReader(new InputStreamReader(System.in))) {
       out.println("ready");
       for (String line; (line = in.readLine()) != null; ) {
-        view.obey(line);
+        view.execute(line);
       }
     }
     System.exit(0);

@@ -31,7 +31,7 @@ import org.dfra.river.server.sensor.GPSServer;
  * where locators are named, others too. Arguments: the robots' names, separated by commas, the
  * number of modules of each, and the locators that they join beside their own. It prints {@code
  * locators} and their locators as soon as each lookup service lists all its robot's modules, and
- * obeys the commands of {@link TeamView}, for each of its robots, and {@code toggle}: its first
+ * executes the commands of {@link TeamView}, for each of its robots, and {@code toggle}: its first
  * module pauses or resumes, and it prints {@code toggled} and the nanoseconds of the system before
  * that. It ends with its input.
  *
@@ -72,7 +72,7 @@ public final class RobotTask implements Task {
     }
     here.setContextClassLoader(usual);
     out.println("locators " + String.join(" ", locators));
-    obey(loaders, out);
+    execute(loaders, out);
     System.exit(0); // without closing what the kernel closes
   }
 
@@ -121,7 +121,7 @@ public final class RobotTask implements Task {
     }
   }
 
-  private static void obey(List<ClassLoader> loaders, PrintStream out) throws Exception {
+  private static void execute(List<ClassLoader> loaders, PrintStream out) throws Exception {
     try (TeamView view = new TeamView(loaders, out);
         BufferedReader in = new BufferedReader(new InputStreamReader(System.in))) {
       for (String line; (line = in.readLine()) != null; ) {
@@ -130,7 +130,7 @@ public final class RobotTask implements Task {
           LightSensor.all().get(0).toggle();
           out.println("toggled " + now);
         } else {
-          view.obey(line);
+          view.execute(line);
         }
       }
     }

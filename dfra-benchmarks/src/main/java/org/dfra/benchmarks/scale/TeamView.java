@@ -53,11 +53,11 @@ final class TeamView implements AutoCloseable {
   }
 
   /**
-   * Obeys a command.
+   * Executes a command.
    *
    * @throws IOException if the team is not complete in time, or the command is unknown
    */
-  void obey(String line) throws IOException, InterruptedException {
+  void execute(String line) throws IOException, InterruptedException {
     List<String> words = Arrays.asList(line.split(" ", -1));
     switch (words.get(0)) {
       case "watch" -> watch(Integer.parseInt(words.get(1)), words.subList(2, words.size()));

@@ -38,7 +38,7 @@ import org.jspecify.annotations.Nullable;
 final class DiscoveryCandidates {
 
   /** Maximum number of addresses that are stored. */
-  static final int MAX_CANDIDATES = 64;
+  static final int MAX_CANDIDATES = 256;
 
   /** Maximum number of addresses of one host. */
   static final int PER_HOST = 4;

@@ -16,7 +16,7 @@ final class FoundRegistrars {
   static final int MAX_REGISTRARS = DiscoveryCandidates.MAX_CANDIDATES;
 
   /** Maximum number for one address, so that no single computer takes all slots. */
-  static final int PER_ADDRESS = MAX_REGISTRARS / 2;
+  static final int PER_ADDRESS = 32;
 
   private final Map<LocatedRegistrar, FoundRegistrar> found = new LinkedHashMap<>();
 

@@ -13,8 +13,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>All searches of this virtual machine with equal settings share one {@link
  * SharedMulticastSearch}, which has the sockets and threads. So their number does not grow with the
- * number of modules. Each search has groups of its own, and is told of each lookup service whether
- * or not another search has found it before.
+ * number of modules. Each search has groups of its own, and reports each lookup service whether or
+ * not another search has found it before.
  *
  * <p>A lookup service is identified by its proxy and not only by its service ID, which any host may
  * copy: all that claim one service ID are found, see {@link LocatedRegistrar}.

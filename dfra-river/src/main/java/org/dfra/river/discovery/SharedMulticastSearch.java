@@ -145,7 +145,7 @@ final class SharedMulticastSearch {
   }
 
   /**
-   * Adds a user, which is told of those that are found already.
+   * Adds a user, and reports to it those that are found already.
    *
    * @throws IOException if multicast cannot be used; without users, the search is closed then
    */
@@ -257,7 +257,7 @@ final class SharedMulticastSearch {
     }
   }
 
-  /** Tells the users what has changed about a lookup service. */
+  /** Reports to the users what has changed about a lookup service. */
   @GuardedBy("this")
   private void report(FoundRegistrar of) {
     users.forEach(user -> report(user, of));

@@ -218,7 +218,7 @@ final class RegistrarMonitor implements AutoCloseable {
       throw e;
     } finally {
       Thread.currentThread().setContextClassLoader(null);
-      rest();
+      leave();
       if (isOver) {
         end();
       }
@@ -243,7 +243,7 @@ final class RegistrarMonitor implements AutoCloseable {
   }
 
   /** The thread does something else from now on, and is not to be interrupted. */
-  private synchronized void rest() {
+  private synchronized void leave() {
     if (worker == Thread.currentThread()) {
       worker = null;
     }

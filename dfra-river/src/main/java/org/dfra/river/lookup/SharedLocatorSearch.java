@@ -174,7 +174,7 @@ final class SharedLocatorSearch {
 
   private void search() {
     @Nullable LocatedRegistrar registrar = look();
-    List<User> told = new ArrayList<>();
+    List<User> informed = new ArrayList<>();
     synchronized (this) {
       isSearching = false;
       if (registrar == null) {
@@ -186,11 +186,11 @@ final class SharedLocatorSearch {
       for (User each : users) {
         if (!registrar.equals(each.found)) {
           each.found = registrar;
-          told.add(each);
+          informed.add(each);
         }
       }
     }
-    told.forEach(each -> each.finder.accept(registrar));
+    informed.forEach(each -> each.finder.accept(registrar));
   }
 
   private @Nullable LocatedRegistrar look() {

@@ -131,7 +131,7 @@ class SharedMulticastSearchTest {
   }
 
   @Test
-  void hearOfTheirOwnGroupsOnly() throws Exception {
+  void reportTheirOwnGroupsOnly() throws Exception {
     Searcher field = new Searcher("field");
     Searcher yard = new Searcher("yard");
     FakeRegistrar inField = new FakeRegistrar(7, "field");

@@ -154,7 +154,7 @@ class LeaseBatchesTest {
   }
 
   @Test
-  void thoseOfOneGrantorAreRenewedTogetherThoseOfAnotherApart() throws Exception {
+  void thoseOfOneGrantorAreRenewedTogetherThoseOfAnotherSeparately() throws Exception {
     for (int i = 0; i < 30; i++) {
       add("a" + i, "one");
       time.pass(Duration.ofMillis(100)); // modules start one after the other
