@@ -115,6 +115,7 @@ final class RegistrarMonitor implements AutoCloseable {
   private volatile boolean incomplete = true; // an event or item was missed
   private volatile Instant vouched;
   private volatile long busySince; // System.nanoTime of the running call; 0 for none
+  private volatile long readSince; // System.nanoTime of the complete query in progress, or 0
   private volatile boolean silent;
   private final Map<ServiceID, String> faults = new HashMap<>(); // of proxies; by the worker
   private @Nullable RemoteEventListener stub; // by the worker
@@ -164,8 +165,12 @@ final class RegistrarMonitor implements AutoCloseable {
     return read;
   }
 
-  /** Detects a lookup service that does not answer. */
+  /** Detects a lookup service that does not answer, or takes long to be read. */
   void check(long nanos) {
+    long begun = readSince;
+    if (begun != 0 && nanos - begun > settings.registrarTimeout().toNanos() / 3) {
+      ReadPermits.SHARED.release(this); // the others do not wait longer for it
+    }
     long since = busySince;
     if (since != 0 && nanos - since > settings.registrarTimeout().toNanos() && !silent) {
       silent = true;
@@ -280,13 +285,15 @@ final class RegistrarMonitor implements AutoCloseable {
       register(stub);
     }
     if (incomplete) {
-      if (!ReadPermits.SHARED.acquire(this, this::wake)) {
+      if (!ReadPermits.SHARED.acquire(this, identity.address(), this::wake)) {
         beatIfDue();
         return;
       }
+      readSince = Math.max(1, System.nanoTime());
       try {
         reconcile();
       } finally {
+        readSince = 0;
         ReadPermits.SHARED.release(this);
       }
     } else if (services != UNKNOWN && System.nanoTime() - compareAt > 0) {

@@ -9,11 +9,29 @@ import org.junit.jupiter.api.Test;
 /** A few read at a time, and nobody is forgotten. */
 class ReadPermitsTest {
 
-  private final ReadPermits permits = new ReadPermits(2);
+  private final ReadPermits permits = new ReadPermits(2, 2);
   private final List<String> granted = new ArrayList<>();
 
   private boolean acquire(String reader) {
-    return permits.acquire(reader, () -> granted.add(reader));
+    return acquire(permits, reader, "one address");
+  }
+
+  private boolean acquire(ReadPermits from, String reader, String origin) {
+    return from.acquire(reader, origin, () -> granted.add(reader));
+  }
+
+  @Test
+  void leaveSomeForOtherAddresses() {
+    ReadPermits three = new ReadPermits(3, 2);
+    assertThat(acquire(three, "a", "stranger")).isTrue();
+    assertThat(acquire(three, "b", "stranger")).isTrue();
+    assertThat(acquire(three, "c", "stranger")).isFalse();
+    assertThat(acquire(three, "d", "robot")).isTrue();
+    assertThat(acquire(three, "e", "robot")).isFalse();
+    three.release("d");
+    assertThat(granted).as("not the stranger, who came first").containsExactly("e");
+    three.release("a");
+    assertThat(granted).containsExactly("e", "c");
   }
 
   @Test
