@@ -128,6 +128,31 @@ final class MessageInput extends InputStream {
     }
   }
 
+  /**
+   * Waits until so many bytes can be read without waiting, or all of a shorter block.
+   *
+   * @param count at most {@link Block#MAX_BYTES}
+   * @return the number of bytes that can, at least one; 0 at the end
+   */
+  int await(int count) throws IOException {
+    if (!advance()) {
+      return 0;
+    }
+    int wanted = Math.min(left, count);
+    awaitBytes(wanted);
+    return wanted;
+  }
+
+  /** Reads a number that {@link #await} has waited for, and lets it be read again. */
+  long peekLong(int offset) {
+    return received.getLong(received.position() + offset);
+  }
+
+  /** Whether no block follows that which is read. */
+  boolean isInLastBlock() {
+    return last;
+  }
+
   /** Whether the whole message has been read. */
   boolean isAtEnd() {
     return last && left == 0;
