@@ -16,6 +16,7 @@ final class MessageInput extends InputStream {
   private final ByteBuffer received; // ready to be read from
   private final Source source;
   private int left; // bytes of the current block that were not read yet
+  private boolean begun; // whether there is a current block, or was one
   private boolean last; // whether the current block is the message's last one
   private boolean closed;
 
@@ -109,9 +110,14 @@ final class MessageInput extends InputStream {
           left = next.length();
           last = true;
         }
-        case CLOSING -> throw source.refused();
-        case PAUSE -> throw new IOException("the peer interrupted a message by " + next.kind());
+        case CLOSING, PAUSE -> {
+          if (begun || next.kind() == Block.Kind.PAUSE) {
+            throw new IOException("the peer interrupted a message by " + next.kind());
+          }
+          throw source.refused();
+        }
       }
+      begun = true;
     }
     awaitBytes(1);
     return true;
