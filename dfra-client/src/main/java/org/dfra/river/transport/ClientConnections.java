@@ -273,16 +273,19 @@ final class ClientConnections {
 
   private ClientConnection opened(Closeable channel, Uuid server, Connecting connecting)
       throws IOException {
+    Closeable opened = channel;
     boolean done = false;
     try {
       CallInFlight.attachAttempt(channel);
       Link link = connecting.connect();
+      opened = link;
+      CallInFlight.attachConnection(link); // to close the channel alone may end no wait
       greet(link, server);
       done = true;
       return new ClientConnection(link);
     } finally {
       if (!done) {
-        channel.close();
+        opened.close();
       }
     }
   }
