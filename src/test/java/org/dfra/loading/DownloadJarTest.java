@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 /** What a client that has only River downloads is enough for it. */
 class DownloadJarTest {
 
-  private static final Path ROOT = Path.of(System.getProperty("dfra.root"), "dfra-client");
+  private static final Path ROOT = Path.of(System.getProperty("dfra.root"));
 
   @Test
   void needsTheJdkTheApiAndRiverOnly() throws Exception {
@@ -61,11 +61,16 @@ class DownloadJarTest {
   }
 
   static Path file() {
-    return Stream.of("target/dfra-client.jar", "build/libs/dfra-client.jar")
-        .map(ROOT::resolve)
+    return file("dfra-client");
+  }
+
+  /** The jar that this build has made of a module. */
+  static Path file(String module) {
+    return Stream.of("/target/", "/build/libs/")
+        .map(folder -> ROOT.resolve(module + folder + module + ".jar"))
         .filter(Files::exists)
         .findFirst()
-        .orElseThrow(() -> new AssertionError("no dfra-client.jar in " + ROOT + "; build it"));
+        .orElseThrow(() -> new AssertionError("no " + module + ".jar in " + ROOT + "; build it"));
   }
 
   /** From its jar or its folder of classes, whatever this build has. */

@@ -3,7 +3,9 @@ package org.dfra.loading;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
+import java.io.File;
 import java.io.IOException;
+import java.io.InputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.file.Files;
@@ -13,6 +15,8 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.dfra.core.host.FreePorts;
 import org.dfra.river.bootstrap.RobotRemoval;
 import org.dfra.robot.RunningPhoenix;
@@ -23,6 +27,8 @@ import org.junit.jupiter.api.MethodOrderer;
 import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestMethodOrder;
+import org.junit.jupiter.api.condition.EnabledForJreRange;
+import org.junit.jupiter.api.condition.JRE;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
@@ -96,7 +102,9 @@ class RobotCodebaseIT {
   @BeforeAll
   static void start() throws Exception {
     Path own = Files.createDirectories(folder.resolve("lib/dl"));
-    Files.copy(DownloadJarTest.file(), own.resolve("dfra-client.jar"));
+    for (String each : List.of("dfra-api", "dfra-client")) {
+      Files.copy(DownloadJarTest.file(each), own.resolve(each + ".jar"));
+    }
     r1 = Robot.in(folder, "r1");
     elsewhere = Files.copy(KindJar.lidar(r1.dl(), "unsigned"), folder.resolve("elsewhere.jar"));
     Path robots = KindJar.lidar(Files.createDirectory(folder.resolve("own")), "the robots' own");
@@ -264,6 +272,70 @@ class RobotCodebaseIT {
         .contains(
             "Clients cannot download [%1$s]: the jar %1$s cannot be served".formatted(r1.kind()))
         .contains("build it first");
+  }
+
+  /** The security manager, without which River downloads nothing, ended with Java 24. */
+  @Test
+  @Order(2)
+  @EnabledForJreRange(max = JRE.JAVA_23)
+  void aClientThatHasOnlyRiverDownloadsTheProxyAndTheTransport() throws Exception {
+    int port = FreePorts.allocate();
+    Path xml =
+        Files.writeString(
+            folder.resolve("r3.xml"),
+            """
+            <robot xmlns="urn:dfra:robot:1" name="r3" host="127.0.0.1">
+              <group name="lookup"><registrar port="%d" class-server-port="%d"/></group>
+              <group name="receivers">
+                <module name="gps" server="org.dfra.river.server.sensor.GPSServer"
+                    proxy="org.dfra.river.proxy.sensor.GPSProxy" implementation="%s"/>
+              </group>
+            </robot>
+            """
+                .formatted(port, FreePorts.allocate(), StillReceiverImpl.class.getName()));
+    try (InteractiveProcess client = riverClient()) {
+      assertThat(starter.request(xml.toString())).isEqualTo(ALL_IS_SERVED);
+      await()
+          .atMost(PATIENCE)
+          .untilAsserted(
+              () ->
+                  assertThat(client.request(Integer.toString(port)))
+                      .as(client.output())
+                      .contains("latitude=48.5", "frame=r3/gps")
+                      .contains("/dfra-api.jar;sha-256=", "/dfra-client.jar;sha-256=")
+                      .contains(" by dfra-watchdog"));
+    } finally {
+      phoenix.note();
+      RobotRemoval.removeRobot(phoenix.process(), "r3", PATIENCE);
+    }
+  }
+
+  /** Its class path has River's jars and one class. */
+  private static InteractiveProcess riverClient() throws Exception {
+    Path own = folder.resolve("river-client");
+    String file = RiverClient.class.getName().replace('.', '/') + ".class";
+    Files.createDirectories(own.resolve(file).getParent());
+    try (InputStream in = RiverClient.class.getResourceAsStream("/" + file)) {
+      Files.copy(in, own.resolve(file));
+    }
+    Path policy =
+        Files.writeString(
+            folder.resolve("all.policy"), "grant { permission java.security.AllPermission; };\n");
+    String classPath =
+        Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))
+            .filter(each -> Path.of(each).getFileName().toString().matches("(jsk|reggie)-.*\\.jar"))
+            .collect(Collectors.joining(File.pathSeparator, own + File.pathSeparator, ""));
+    List<String> command =
+        new ArrayList<>(
+            InteractiveProcess.java(
+                classPath,
+                List.of(
+                    "-Djava.security.manager",
+                    "-Djava.security.policy=" + policy,
+                    "-Djava.rmi.server.useCodebaseOnly=false",
+                    "-Djava.protocol.handler.pkgs=net.jini.url")));
+    command.add(RiverClient.class.getName());
+    return new InteractiveProcess(command);
   }
 
   /** Those that kept running may have what they need; this one has nothing. */

@@ -220,6 +220,53 @@ class ActivationStepsTest {
     assertNothingIsLeft();
   }
 
+  /** It makes JERI export a further object at the port, which nobody guards. */
+  @Test
+  void anExporterWithDistributedGarbageCollectionIsRefused() throws IOException {
+    assertRefused(
+        collecting("net.jini.jeri.BasicILFactory"),
+        "its Jini configuration "
+            + folder.resolve("module.config")
+            + " cannot be used: org.dfra.river.server.serverExporter");
+  }
+
+  @Test
+  void anExporterWithDistributedGarbageCollectionIsRefusedAlsoInsideAnother() throws IOException {
+    assertRefused(
+        "new net.jini.activation.ActivationExporter(new java.rmi.activation.ActivationID(null), "
+            + collecting("org.dfra.river.call.DeadlineILFactory")
+            + ")",
+        "the exporter of " + ThermometerServer.class.getName());
+  }
+
+  /** Its constructor refuses it, so the message has file and line of the Jini configuration. */
+  @Test
+  void aResurrectingExporterWithDistributedGarbageCollectionIsRefused() throws IOException {
+    assertRefused(
+        "\nnew org.dfra.river.call.ResurrectingExporter(new java.rmi.activation.ActivationID(null), "
+            + collecting("net.jini.jeri.BasicILFactory")
+            + ")",
+        folder.resolve("module.config") + ":2: ");
+  }
+
+  private static String collecting(String factory) {
+    return "new net.jini.jeri.BasicJeriExporter(org.dfra.river.call.Endpoints.tcp(\"127.0.0.1\", 0),"
+        + " new "
+        + factory
+        + "(), true, true)";
+  }
+
+  private void assertRefused(String exporter, String what) throws IOException {
+    String jini = "org.dfra.river.server { serverExporter = " + exporter + "; }";
+    assertThatThrownBy(module(ThermometerProxy.class.getName(), HERE + "WatchedImpl", jini)::serve)
+        .isInstanceOf(ConfigurationException.class)
+        .hasMessageStartingWith(SENTENCE)
+        .hasMessageContaining(what)
+        .hasMessageContaining(" uses distributed garbage collection, ")
+        .hasMessageContaining("give BasicJeriExporter false as its third argument, or none");
+    assertNothingIsLeft();
+  }
+
   // Step 5: discovery and join.
 
   @ParameterizedTest

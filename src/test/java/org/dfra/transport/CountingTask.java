@@ -1,13 +1,16 @@
 package org.dfra.transport;
 
+import java.io.BufferedReader;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStreamReader;
 import java.io.ObjectOutputStream;
 import java.io.PrintStream;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.util.Base64;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.atomic.AtomicInteger;
 import net.jini.jeri.ServerEndpoint;
 import org.dfra.benchmarks.task.Task;
@@ -16,7 +19,11 @@ import org.dfra.river.call.Endpoints;
 import org.dfra.river.call.JeriExporters;
 import org.dfra.river.transport.TransportServerEndpoint;
 
-/** A process with a remote object that counts its calls. Argument: {@code tcp} or {@code local}. */
+/**
+ * A process with a remote object that counts its calls. Arguments: {@code tcp} or {@code local},
+ * and an address. It prints "executes" and "half" where a call waits, and lets it go on for a line
+ * of input.
+ */
 public final class CountingTask implements Task {
 
   /** The remote object. */
@@ -33,11 +40,31 @@ public final class CountingTask implements Task {
 
     /** Returns so many bytes. */
     byte[] bytes(int count) throws RemoteException;
+
+    /** Counts a call, says that it executes, and waits for a line before it returns. */
+    int hold() throws RemoteException;
+
+    /** Counts a call that has an argument, whole. */
+    int take(Halves argument) throws RemoteException;
+
+    /** Counts a call; half of its result is sent, and the other half after a line. */
+    Halves give() throws RemoteException;
   }
 
   private static final class CounterImpl implements Counter {
 
     private final AtomicInteger calls = new AtomicInteger();
+    private final Semaphore goOn = new Semaphore(0);
+    private final PrintStream out;
+
+    CounterImpl(PrintStream out) {
+      this.out = out;
+    }
+
+    private void await(String where) {
+      out.println(where);
+      goOn.acquireUninterruptibly();
+    }
 
     @Override
     public int count() {
@@ -62,6 +89,23 @@ public final class CountingTask implements Task {
     public byte[] bytes(int count) {
       return new byte[count];
     }
+
+    @Override
+    public int hold() {
+      int before = count();
+      await("executes");
+      return before;
+    }
+
+    @Override
+    public int take(Halves argument) {
+      return count();
+    }
+
+    @Override
+    public Halves give() {
+      return new Halves(count());
+    }
   }
 
   /** Called by {@link org.dfra.benchmarks.task.TaskMain}. */
@@ -71,9 +115,10 @@ public final class CountingTask implements Task {
   public void run(String[] args, PrintStream out) throws IOException {
     ServerEndpoint endpoint =
         args[0].equals("tcp")
-            ? new TransportServerEndpoint("127.0.0.1", 0)
-            : Endpoints.withLocalSocket("127.0.0.1", 0);
-    Counter counter = new CounterImpl();
+            ? new TransportServerEndpoint(args[1], 0)
+            : Endpoints.withLocalSocket(args[1], 0);
+    CounterImpl counter = new CounterImpl(out);
+    Halves.pauseBy(() -> counter.await("half"));
     Remote proxy =
         JeriExporters.keepingAlive(endpoint, new DeadlineILFactory(2000L)).export(counter);
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -81,8 +126,9 @@ public final class CountingTask implements Task {
       stream.writeObject(proxy);
     }
     out.println("proxy " + Base64.getEncoder().encodeToString(bytes.toByteArray()));
-    while (System.in.read() >= 0) {
-      out.println(counter.counted());
+    BufferedReader in = new BufferedReader(new InputStreamReader(System.in));
+    while (in.readLine() != null) {
+      counter.goOn.release();
     }
   }
 }

@@ -7,6 +7,7 @@ import static org.awaitility.Awaitility.await;
 import java.io.ByteArrayInputStream;
 import java.io.ObjectInputStream;
 import java.rmi.RemoteException;
+import java.rmi.UnmarshalException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Base64;
@@ -17,6 +18,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import org.dfra.benchmarks.task.TaskProcess;
 import org.dfra.core.time.StallProbe;
 import org.dfra.core.time.Timing;
@@ -43,7 +45,7 @@ class SuspendedServerIT {
   private Counter counter;
 
   private void start(String transport) throws Exception {
-    process = TaskProcess.start(CountingTask.class, transport);
+    process = TaskProcess.start(CountingTask.class, transport, "127.0.0.1");
     String line = process.awaitLine("proxy ", PATIENCE);
     byte[] bytes = Base64.getDecoder().decode(line.substring("proxy ".length()));
     try (ObjectInputStream in = new ObjectInputStream(new ByteArrayInputStream(bytes))) {
@@ -201,5 +203,61 @@ class SuspendedServerIT {
     assertThatThrownBy(() -> counter.count()).isInstanceOf(RemoteException.class);
     assertThatThrownBy(() -> counter.count()).isInstanceOf(java.rmi.ConnectException.class);
     began.stop().requireWithin("the report of a killed server", DEADLINE.dividedBy(4));
+  }
+
+  /** The failure of a call whose server has sent half of the response. */
+  private Future<Throwable> halfAnswered(AtomicReference<Timing> took) throws Exception {
+    Future<Throwable> failure =
+        callers.submit(
+            () -> {
+              StallProbe.Stopwatch began = probe.stopwatch();
+              try {
+                return new AssertionError("it was answered: " + counter.give());
+              } catch (RemoteException e) {
+                return e;
+              } finally {
+                took.set(began.stop());
+              }
+            });
+    String unused = process.awaitLine("half", PATIENCE);
+    return failure;
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"tcp", "local"})
+  void aServerThatIsSuspendedInTheMiddleOfItsResponseIsLeftInTime(String transport)
+      throws Exception {
+    start(transport);
+    long threads = callThreads();
+    AtomicReference<Timing> took = new AtomicReference<>();
+    Future<Throwable> failure = halfAnswered(took);
+    signal("STOP");
+    assertThat(failure.get(30, TimeUnit.SECONDS))
+        .isInstanceOfSatisfying(
+            DeadlineExceededException.class, e -> assertThat(e.mayHaveRun()).isTrue());
+    assertThat(callThreads()).as("threads").isLessThanOrEqualTo(threads);
+    signal("CONT");
+    process.write("go");
+    StallProbe.Stopwatch began = probe.stopwatch();
+    assertThat(counter.count()).as("calls before, each once").isEqualTo(2);
+    Timing next = began.stop();
+    took.get().requireWithin("a call whose server is suspended while it answers", FREE);
+    next.requireWithin("the next call after the server continues", Duration.ofSeconds(1));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"tcp", "local"})
+  void aServerThatIsKilledInTheMiddleOfItsResponseIsReportedAtOnce(String transport)
+      throws Exception {
+    start(transport);
+    Future<Throwable> failure = halfAnswered(new AtomicReference<>());
+    StallProbe.Stopwatch began = probe.stopwatch();
+    process.close();
+    assertThat(failure.get(30, TimeUnit.SECONDS))
+        .as("not a failure that says that it has not run")
+        .isInstanceOf(UnmarshalException.class);
+    Timing reported = began.stop();
+    assertThatThrownBy(() -> counter.count()).isInstanceOf(java.rmi.ConnectException.class);
+    reported.requireWithin("the report of a server killed while it answers", DEADLINE.dividedBy(4));
   }
 }

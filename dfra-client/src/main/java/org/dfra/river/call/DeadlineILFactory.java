@@ -78,9 +78,16 @@ public class DeadlineILFactory extends BasicILFactory {
     return null;
   }
 
+  /**
+   * {@inheritDoc}
+   *
+   * @throws ExportException if the object cannot be exported, or its exporter uses distributed
+   *     garbage collection
+   */
   @Override
   protected InvocationHandler createInvocationHandler(
       Class[] interfaces, Remote impl, ObjectEndpoint endpoint) throws ExportException {
+    JeriExporters.requireNoDistributedGc(endpoint, impl);
     super.createInvocationHandler(interfaces, impl, endpoint); // throws if it cannot be exported
     return new DeadlineInvocationHandler(endpoint, getServerConstraints(), deadline);
   }

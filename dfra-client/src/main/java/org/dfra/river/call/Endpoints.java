@@ -36,8 +36,7 @@ public final class Endpoints {
 
   /**
    * As {@link #tcp}, with a Unix-domain socket beside it for clients on the same computer. Chosen
-   * by a Jini configuration: by default they use TCP too, which is faster where client and server
-   * run on different cores.
+   * by a Jini configuration: by default they use TCP too, which is about as fast.
    *
    * @param host address or name of this machine; proxies carry it, and only it is listened on
    * @param port TCP port, or 0 for one that the system chooses

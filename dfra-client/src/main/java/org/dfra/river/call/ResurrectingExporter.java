@@ -28,10 +28,13 @@ public final class ResurrectingExporter implements Exporter {
   /**
    * @param id the identifier under which the activation system knows the object
    * @param underlying exports the active object
+   * @throws IllegalArgumentException if that uses distributed garbage collection
    */
   public ResurrectingExporter(ActivationID id, Exporter underlying) {
     this.id = java.util.Objects.requireNonNull(id, "id");
-    this.underlying = java.util.Objects.requireNonNull(underlying, "underlying");
+    this.underlying =
+        JeriExporters.requireNoDistributedGc(
+            java.util.Objects.requireNonNull(underlying, "underlying"), "the underlying exporter");
   }
 
   @Override

@@ -8,6 +8,7 @@ import java.net.ConnectException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.StandardProtocolFamily;
+import java.net.StandardSocketOptions;
 import java.net.UnixDomainSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.SocketChannel;
@@ -231,6 +232,9 @@ final class ClientConnections {
           if (key.source != null) {
             channel.bind(new InetSocketAddress(key.source, 0));
           }
+          // Closing discards what was not sent. Else the operating system would send the request
+          // of a call that was given up as soon as the network is back, and it would be executed.
+          channel.setOption(StandardSocketOptions.SO_LINGER, 0);
           channel.connect(new InetSocketAddress(address, key.server.port()));
           if (channel.getRemoteAddress().equals(channel.getLocalAddress())) {
             // Nobody listens, and the operating system chose the server's port for this end.
@@ -269,16 +273,19 @@ final class ClientConnections {
 
   private ClientConnection opened(Closeable channel, Uuid server, Connecting connecting)
       throws IOException {
+    Closeable opened = channel;
     boolean done = false;
     try {
       CallInFlight.attachAttempt(channel);
       Link link = connecting.connect();
+      opened = link;
+      CallInFlight.attachConnection(link); // to close the channel alone may end no wait
       greet(link, server);
       done = true;
       return new ClientConnection(link);
     } finally {
       if (!done) {
-        channel.close();
+        opened.close();
       }
     }
   }

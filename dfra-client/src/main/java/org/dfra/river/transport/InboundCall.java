@@ -1,25 +1,46 @@
 package org.dfra.river.transport;
 
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.io.SequenceInputStream;
 import java.nio.ByteBuffer;
 import java.util.Collection;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.io.UnsupportedConstraintException;
 import net.jini.jeri.InboundRequest;
 
-/** A request that has arrived, and its response. Used by the worker that serves the connection. */
+/**
+ * A request that has arrived, and its response. Used by the worker that serves the connection.
+ *
+ * <p>JERI has an object in each port that counts the references of clients, for distributed garbage
+ * collection. Its dispatcher is JERI's own: nobody filters what it reads, or asks who calls. No
+ * exporter of DFRA needs it, so calls to it get the answer that there is no such object, whatever
+ * was exported at the port.
+ */
 final class InboundCall implements InboundRequest, MessageOutput.Sender, MessageInput.Source {
+
+  /** JERI's ID of the object for garbage collection, d32cd1bc-273c-11b2-8841-080020c9e4a1. */
+  private static final long COLLECTOR_HIGH = 0xd32c_d1bc_273c_11b2L;
+
+  private static final long COLLECTOR_LOW = 0x8841_0800_20c9_e4a1L;
+
+  /** JERI's answer to a call of an object that is not exported. */
+  private static final int NO_SUCH_OBJECT = 0;
+
+  private static final int ID_BYTES = 16;
 
   private final ServerConnection connection;
   private final MessageInput request;
+  private InputStream toRead;
   private final MessageOutput response;
   private boolean isAnswered;
 
   InboundCall(ServerConnection connection, ByteBuffer input, ByteBuffer output) {
     this.connection = connection;
     this.request = new MessageInput(input, this);
+    this.toRead = request;
     this.response = new MessageOutput(output, this);
   }
 
@@ -41,7 +62,7 @@ final class InboundCall implements InboundRequest, MessageOutput.Sender, Message
 
   @Override
   public InputStream getRequestInputStream() {
-    return request;
+    return toRead;
   }
 
   @Override
@@ -72,6 +93,28 @@ final class InboundCall implements InboundRequest, MessageOutput.Sender, Message
   @Override
   public void abort() {
     connection.close();
+  }
+
+  /** Whether it is a call to the object for garbage collection; the request is not read yet. */
+  boolean isForCollector() throws IOException {
+    int count = request.await(ID_BYTES);
+    if (count == ID_BYTES) {
+      return request.peekLong(0) == COLLECTOR_HIGH && request.peekLong(8) == COLLECTOR_LOW;
+    } else if (request.isInLastBlock()) {
+      return false; // too short for any object's ID
+    }
+    byte[] id = request.readNBytes(ID_BYTES); // in several blocks, which no client of DFRA sends
+    toRead = new SequenceInputStream(new ByteArrayInputStream(id), request);
+    ByteBuffer both = ByteBuffer.wrap(id);
+    return id.length == ID_BYTES
+        && both.getLong() == COLLECTOR_HIGH
+        && both.getLong() == COLLECTOR_LOW;
+  }
+
+  /** Answers that there is no such object. */
+  void refuseCollector() throws IOException {
+    response.write(NO_SUCH_OBJECT);
+    response.close();
   }
 
   /** Whether the whole response was sent. */

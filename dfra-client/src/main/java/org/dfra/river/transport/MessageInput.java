@@ -16,6 +16,7 @@ final class MessageInput extends InputStream {
   private final ByteBuffer received; // ready to be read from
   private final Source source;
   private int left; // bytes of the current block that were not read yet
+  private boolean begun; // whether there is a current block, or was one
   private boolean last; // whether the current block is the message's last one
   private boolean closed;
 
@@ -109,9 +110,14 @@ final class MessageInput extends InputStream {
           left = next.length();
           last = true;
         }
-        case CLOSING -> throw source.refused();
-        case PAUSE -> throw new IOException("the peer interrupted a message by " + next.kind());
+        case CLOSING, PAUSE -> {
+          if (begun || next.kind() == Block.Kind.PAUSE) {
+            throw new IOException("the peer interrupted a message by " + next.kind());
+          }
+          throw source.refused();
+        }
       }
+      begun = true;
     }
     awaitBytes(1);
     return true;
@@ -126,6 +132,31 @@ final class MessageInput extends InputStream {
         received.flip();
       }
     }
+  }
+
+  /**
+   * Waits until so many bytes can be read without waiting, or all of a shorter block.
+   *
+   * @param count at most {@link Block#MAX_BYTES}
+   * @return the number of bytes that can, at least one; 0 at the end
+   */
+  int await(int count) throws IOException {
+    if (!advance()) {
+      return 0;
+    }
+    int wanted = Math.min(left, count);
+    awaitBytes(wanted);
+    return wanted;
+  }
+
+  /** Reads a number that {@link #await} has waited for, and lets it be read again. */
+  long peekLong(int offset) {
+    return received.getLong(received.position() + offset);
+  }
+
+  /** Whether no block follows that which is read. */
+  boolean isInLastBlock() {
+    return last;
   }
 
   /** Whether the whole message has been read. */

@@ -236,6 +236,10 @@ final class ServerConnection implements Runnable {
   /** Returns whether further calls may follow on this connection. */
   private boolean serveOne(ByteBuffer buffer, ByteBuffer output) throws IOException {
     InboundCall call = new InboundCall(this, buffer, output);
+    if (call.isForCollector()) {
+      call.refuseCollector();
+      return call.skipRest(MAX_SKIPPED);
+    }
     enter(State.EXECUTING);
     TransportTraffic.countCallServed();
     port.dispatcher().dispatch(call);

@@ -44,9 +44,9 @@ final class SocketLink implements Link {
    * @param host the address that stands for this computer
    * @throws IOException if the client's user cannot be determined
    */
-  static SocketLink unix(SocketChannel connected, InetAddress host) throws IOException {
+  static Link unix(SocketChannel connected, InetAddress host) throws IOException {
     UnixDomainPrincipal runs = connected.getOption(ExtendedSocketOptions.SO_PEERCRED);
-    return new SocketLink(connected, new Peer(host, runs.user().getName()));
+    return new PollingLink(new SocketLink(connected, new Peer(host, runs.user().getName())));
   }
 
   /**
@@ -55,11 +55,11 @@ final class SocketLink implements Link {
    * @param host the address that stands for this computer
    * @throws IOException if another user runs the server: the socket could be anybody's
    */
-  static SocketLink unixToOwnUser(SocketChannel connected, InetAddress host) throws IOException {
-    SocketLink link = unix(connected, host);
+  static Link unixToOwnUser(SocketChannel connected, InetAddress host) throws IOException {
+    Link link = unix(connected, host);
     String own = Files.getOwner(OWN_PROCESS).getName();
-    if (!own.equals(link.peer.user())) {
-      throw new IOException("its socket is of user " + link.peer.user() + ", not " + own);
+    if (!own.equals(link.peer().user())) {
+      throw new IOException("its socket is of user " + link.peer().user() + ", not " + own);
     }
     return link;
   }

@@ -7,6 +7,7 @@ import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.lang.management.ManagementFactory;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
@@ -15,8 +16,11 @@ import java.net.SocketTimeoutException;
 import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Random;
+import java.util.concurrent.TimeUnit;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.jeri.InboundRequest;
 import net.jini.jeri.OutboundRequest;
@@ -25,10 +29,14 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Whatever a client sends or fails to send: the server uses bounded threads and memory for it, and
  * serves all others.
+ *
+ * <p>{@code dfra.soak}: a million changed conversations instead of 10 000.
  */
 @Timeout(120)
 class HostileClientTest {
@@ -37,7 +45,14 @@ class HostileClientTest {
   private static final String ATTACKER = "127.0.0.66";
   private static final Duration PATIENCE = Duration.ofSeconds(30);
   private static final int MUTATIONS =
-      Integer.getInteger("dfra.transport.mutations", 10_000); // a million by hand, for a soak
+      Integer.getInteger(
+          "dfra.transport.mutations", Boolean.getBoolean("dfra.soak") ? 1_000_000 : 10_000);
+
+  /** So many come before memory is measured: classes are loaded, pools filled. */
+  private static final int WARM_UP = 1000;
+
+  /** What changed conversations may leave in the heap, in bytes. */
+  private static final long HEAP = 8 << 20;
 
   private final List<Socket> sockets = new ArrayList<>();
   private ListenHandle handle;
@@ -281,6 +296,37 @@ class HostileClientTest {
     await("the connection ends").atMost(PATIENCE).until(() -> isClosedByServer(greedy));
   }
 
+  /** JERI's object for garbage collection, which the dispatcher must not see. */
+  @ParameterizedTest
+  @ValueSource(ints = {1, 5, 15, 16, 17, 24})
+  void callsOfTheGarbageCollectorAreNotDispatchedHoweverTheyAreSplit(int size) throws IOException {
+    ByteBuffer call = ByteBuffer.allocate(24);
+    call.putLong(0xd32c_d1bc_273c_11b2L).putLong(0x8841_0800_20c9_e4a1L).putLong(7);
+    Socket socket = greeted();
+    sendSplit(socket, call.array(), size);
+    assertThat(socket.getInputStream().readNBytes(5))
+        .as("no such object")
+        .containsExactly(1, 0, 0, 1, 0);
+    byte[] other = call.array().clone();
+    other[15]++;
+    sendSplit(socket, other, size);
+    assertThat(socket.getInputStream().readNBytes(4))
+        .as("another object")
+        .containsExactly(1, 0, 0, 24);
+    assertThat(socket.getInputStream().readNBytes(24)).isEqualTo(other);
+  }
+
+  private static void sendSplit(Socket to, byte[] message, int size) throws IOException {
+    for (int at = 0; at < message.length; at += size) {
+      byte[] part = Arrays.copyOfRange(message, at, Math.min(message.length, at + size));
+      boolean isLast = at + size >= message.length;
+      send(to, isLast ? Block.Kind.END : Block.Kind.PART, part.length, part);
+      if (!isLast) {
+        send(to, Block.Kind.PART, 0, new byte[0]);
+      }
+    }
+  }
+
   private static boolean isClosedByServer(Socket socket) {
     try {
       socket.getOutputStream().write(new byte[8]);
@@ -290,8 +336,9 @@ class HostileClientTest {
     }
   }
 
-  /** Changed bytes of valid conversations, from several connections. */
+  /** Changed bytes of valid conversations, each on a connection of its own. */
   @Test
+  @Timeout(value = 3, unit = TimeUnit.HOURS)
   void changedBytesEndOnlyTheirOwnConnection() throws IOException {
     Random random = new Random(4711);
     ByteBuffer valid = ByteBuffer.allocate(100);
@@ -304,8 +351,36 @@ class HostileClientTest {
     valid.flip().get(bytes);
     assertServes();
     long before = threads();
-    for (int i = 0; i < MUTATIONS; i++) {
-      byte[] changed = bytes.clone();
+    sendChanged(bytes, WARM_UP, random);
+    long heap = heapInUse();
+    long began = System.nanoTime();
+    sendChanged(bytes, MUTATIONS, random);
+    System.out.printf(
+        Locale.ROOT,
+        "%d changed conversations in %.1f s; workers: %d before, %d after; heap: %d B before, %d B"
+            + " after%n",
+        MUTATIONS,
+        (System.nanoTime() - began) / 1e9,
+        before,
+        threads(),
+        heap,
+        heapInUse());
+    assertServes();
+    assertThat(threads()).as("threads").isLessThanOrEqualTo(before + 64);
+    await("connections are forgotten")
+        .atMost(PATIENCE)
+        .until(
+            () ->
+                ConnectionSelector.instance()
+                        .limits()
+                        .total(ConnectionLimits.Resource.PARTIAL_BYTES)
+                    == 0);
+    await("no memory is kept").atMost(PATIENCE).until(() -> heapInUse() <= heap + HEAP);
+  }
+
+  private void sendChanged(byte[] conversation, int count, Random random) throws IOException {
+    for (int i = 0; i < count; i++) {
+      byte[] changed = conversation.clone();
       for (int n = random.nextInt(3); n >= 0; n--) {
         changed[random.nextInt(changed.length)] = (byte) random.nextInt(256);
       }
@@ -321,15 +396,11 @@ class HostileClientTest {
         assertServes();
       }
     }
-    assertServes();
-    assertThat(threads()).as("threads").isLessThanOrEqualTo(before + 64);
-    await("connections are forgotten")
-        .atMost(PATIENCE)
-        .until(
-            () ->
-                ConnectionSelector.instance()
-                        .limits()
-                        .total(ConnectionLimits.Resource.PARTIAL_BYTES)
-                    == 0);
+  }
+
+  /** What a full collection leaves, in bytes. */
+  private static long heapInUse() {
+    System.gc();
+    return ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed();
   }
 }

@@ -2,6 +2,7 @@ package org.dfra.river.transport;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
 import static org.junit.jupiter.api.Assumptions.assumeFalse;
 
 import java.io.ByteArrayInputStream;
@@ -12,7 +13,9 @@ import java.io.ObjectOutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Duration;
 import java.util.Objects;
+import java.util.stream.Stream;
 import net.jini.id.UuidFactory;
 import net.jini.jeri.ServerEndpoint;
 import org.junit.jupiter.api.BeforeEach;
@@ -66,6 +69,28 @@ class LocalTransportTest extends TransportContract {
             its.port(),
             new LocalSocket(socket.computer(), socket.path(), UuidFactory.generate()));
     assertThat(call(new byte[] {4})).containsExactly(4);
+  }
+
+  @Test
+  void connectionsThatEndFreeTheirFileDescriptors() throws IOException {
+    TransportEndpoint its = (TransportEndpoint) endpoint;
+    assertThat(call(new byte[1])).hasSize(1);
+    long before = fileDescriptors();
+    for (int i = 0; i < 100; i++) {
+      assertThat(call(new byte[] {1, 2})).containsExactly(1, 2);
+      its.closeIdleConnections();
+      send(new byte[] {3}).abort(); // its response may be on the way
+      next().abort();
+    }
+    await()
+        .atMost(Duration.ofSeconds(30))
+        .untilAsserted(() -> assertThat(fileDescriptors()).isLessThanOrEqualTo(before + 10));
+  }
+
+  private static long fileDescriptors() throws IOException {
+    try (Stream<Path> open = Files.list(Path.of("/proc/self/fd"))) {
+      return open.count();
+    }
   }
 
   @Test

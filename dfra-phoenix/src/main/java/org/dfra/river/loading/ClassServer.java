@@ -45,6 +45,13 @@ public final class ClassServer implements AutoCloseable {
   static final String DIGEST = ";sha-256=";
 
   /**
+   * What River's own clients append to a jar's name instead. Since Java 9, a class loader opens a
+   * jar by its URL with the fragment {@code #runtime}; River's handler of {@code httpmd:} URLs
+   * takes the digest out of the path, and leaves the fragment there, without its {@code #}.
+   */
+  private static final String FRAGMENT = "runtime";
+
+  /**
    * @param host address or name of this machine; only it is listened on, and annotations carry it
    * @param port TCP port, the same after every restart; 0 for one that the system chooses, which
    *     breaks annotations that others have stored
@@ -225,7 +232,9 @@ public final class ClassServer implements AutoCloseable {
     String name = path.substring(1, at < 0 ? path.length() : at);
     ServedJar now = now(name);
     if (at < 0) {
-      return now;
+      return now != null || !name.endsWith(".jar" + FRAGMENT)
+          ? now
+          : now(name.substring(0, name.length() - FRAGMENT.length()));
     }
     String digest = path.substring(at + DIGEST.length());
     if (!Digests.isSha256(digest)) {

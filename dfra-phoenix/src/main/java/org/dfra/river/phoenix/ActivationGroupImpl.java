@@ -102,11 +102,17 @@ public final class ActivationGroupImpl extends ActivationGroup
       this.unexportWait =
           Duration.ofMillis((Long) c.getEntry(COMPONENT, "unexportWait", long.class, 10L));
       this.exporter =
-          Objects.requireNonNull(
-              (Exporter)
-                  c.getEntry(COMPONENT, "instantiatorExporter", Exporter.class, localExporter()));
+          JeriExporters.requireNoDistributedGc(
+              Objects.requireNonNull(
+                  (Exporter)
+                      c.getEntry(
+                          COMPONENT, "instantiatorExporter", Exporter.class, localExporter())),
+              COMPONENT + ".instantiatorExporter");
       this.proxy = exporter.export(this);
-    } catch (ConfigurationException | java.io.IOException | ClassNotFoundException e) {
+    } catch (ConfigurationException
+        | IllegalArgumentException
+        | java.io.IOException
+        | ClassNotFoundException e) {
       throw new ActivationException("the group's configuration cannot be used", e);
     }
   }

@@ -101,26 +101,20 @@ record PhoenixConfiguration(
         Path.of(entry(c, "outputDirectory", String.class, journal.resolve("output").toString())),
         number(c, "persistenceSnapshotThreshold", 200, 1),
         optional(c, "loginContext", LoginContext.class),
-        entry(
+        exporter(
             c,
             "activatorExporter",
-            Exporter.class,
             exporter(host, port, PhoenixIdentities.ACTIVATOR, ACTIVATION_DEADLINE_MILLIS)),
-        entry(
+        exporter(
             c,
             "systemExporter",
-            Exporter.class,
             exporter(host, port, identities.system(), REGISTRATION_DEADLINE_MILLIS)),
-        entry(
+        exporter(
             c,
             "monitorExporter",
-            Exporter.class,
             exporter(host, port, identities.monitor(), REGISTRATION_DEADLINE_MILLIS)),
-        entry(
-            c,
-            "stopExporter",
-            Exporter.class,
-            exporter(host, port, StopLocator.IDENTITY, STOP_DEADLINE_MILLIS)),
+        exporter(
+            c, "stopExporter", exporter(host, port, StopLocator.IDENTITY, STOP_DEADLINE_MILLIS)),
         entry(c, "instantiatorPreparer", ProxyPreparer.class, new BasicProxyPreparer()),
         optional(c, "groupConfig", String[].class),
         optional(c, "groupLocation", String.class),
@@ -149,6 +143,11 @@ record PhoenixConfiguration(
   private static Exporter exporter(String host, int port, Uuid identity, long deadlineMillis) {
     return JeriExporters.keepingAlive(
         Endpoints.tcp(host, port), new DeadlineILFactory(deadlineMillis), identity);
+  }
+
+  private static Exporter exporter(Configuration c, String name, Exporter fallback)
+      throws ConfigurationException {
+    return JeriExporters.requireNoDistributedGc(entry(c, name, Exporter.class, fallback), name);
   }
 
   private static <T> T entry(Configuration c, String name, Class<T> type)

@@ -9,6 +9,8 @@ import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.Socket;
 import java.net.URI;
+import java.net.URL;
+import java.net.URLConnection;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
@@ -16,6 +18,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import net.jini.url.httpmd.Handler;
 import org.dfra.river.loading.CodeTrust.DownloadLimits;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -58,6 +61,17 @@ class ClassServerTest {
     assertThat(new JarDownload(DownloadLimits.DEFAULT).fetch(url)).isEqualTo(JAR);
   }
 
+  /** A class loader of River, where the handler of the URL loses the {@code #} of a fragment. */
+  @Test
+  void servesAJarToRiversOwnClients() throws Exception {
+    assertThat(ask("GET", "/a.jarruntime").body()).isEqualTo(JAR);
+    URL url = new URL(null, server.codebase(), new Handler());
+    URLConnection connection = new URL(url, "#runtime", new Handler()).openConnection();
+    try (InputStream in = connection.getInputStream()) {
+      assertThat(in.readAllBytes()).isEqualTo(JAR);
+    }
+  }
+
   @Test
   void anotherVirtualMachineSaysTheSameAnnotation() throws Exception {
     assertThat(ClassServer.codebase(HOST, server.port(), folder.resolve("dl"), List.of("a.jar")))
@@ -84,6 +98,8 @@ class ClassServerTest {
       strings = {
         "/",
         "/unlisted.jar",
+        "/unlisted.jarruntime",
+        "/a.jarruntimeruntime",
         "/../secret.jar",
         "/%2e%2e/secret.jar",
         "/..%2fsecret.jar",

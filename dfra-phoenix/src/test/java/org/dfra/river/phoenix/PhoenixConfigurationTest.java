@@ -4,8 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.StringReader;
+import net.jini.config.ConfigurationException;
 import net.jini.config.ConfigurationFile;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What phoenix does where nothing is configured. */
 class PhoenixConfigurationTest {
@@ -34,5 +37,21 @@ class PhoenixConfigurationTest {
   void thereIsNoReadOnlyRegistryUnlessItsPortIsConfigured() throws Exception {
     assertThat(read("").registryPort()).isEqualTo(-1);
     assertThat(read("registryPort = 1098;").registryPort()).isEqualTo(1098);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"activatorExporter", "systemExporter", "monitorExporter", "stopExporter"})
+  void anExporterWithDistributedGarbageCollectionIsRefused(String entry) {
+    assertThatThrownBy(
+            () ->
+                read(
+                    entry
+                        + " = new net.jini.jeri.BasicJeriExporter("
+                        + "org.dfra.river.call.Endpoints.tcp(\"127.0.0.1\", 0), "
+                        + "new net.jini.jeri.BasicILFactory(), true, true);"))
+        .isInstanceOf(ConfigurationException.class)
+        .hasMessageStartingWith(
+            "org.dfra.river.phoenix: " + entry + " uses distributed garbage collection, ")
+        .hasMessageEndingWith("give BasicJeriExporter false as its third argument, or none");
   }
 }

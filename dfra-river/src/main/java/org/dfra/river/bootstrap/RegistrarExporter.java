@@ -6,6 +6,7 @@ import java.rmi.server.ExportException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import net.jini.export.Exporter;
+import org.dfra.river.call.JeriExporters;
 import org.dfra.river.registrar.RegistrarLeaseLimiter;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -30,6 +31,7 @@ public final class RegistrarExporter implements Exporter {
 
   /**
    * @param exporter exports the lookup service
+   * @throws IllegalArgumentException if that uses distributed garbage collection
    */
   public RegistrarExporter(Exporter exporter) {
     this(exporter, null);
@@ -40,9 +42,11 @@ public final class RegistrarExporter implements Exporter {
    *
    * @param listeners the lookup service's {@code listenerPreparer}, which receives the registered
    *     listeners every second
+   * @throws IllegalArgumentException if the exporter uses distributed garbage collection
    */
   public RegistrarExporter(Exporter exporter, @Nullable EventListenerPreparer listeners) {
-    this.exporter = exporter;
+    this.exporter =
+        JeriExporters.requireNoDistributedGc(exporter, "the exporter of the lookup service");
     this.listeners = listeners;
   }
 

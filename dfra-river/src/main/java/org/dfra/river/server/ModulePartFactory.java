@@ -17,6 +17,7 @@ import org.dfra.core.module.ModuleImpl;
 import org.dfra.core.state.StateStore;
 import org.dfra.core.time.RobotTime;
 import org.dfra.module.Identification;
+import org.dfra.river.call.JeriExporters;
 import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.server.Exporters.ServerSettings;
@@ -106,7 +107,21 @@ final class ModulePartFactory {
       throw new net.jini.config.ConfigurationException(
           ModuleServer.COMPONENT + ".serverExporter is null; leave it out to have the usual one");
     }
-    return exporter;
+    try {
+      return JeriExporters.requireNoDistributedGc(
+          exporter, ModuleServer.COMPONENT + ".serverExporter");
+    } catch (IllegalArgumentException e) {
+      throw new net.jini.config.ConfigurationException(e.getMessage(), e);
+    }
+  }
+
+  /** What River says of an entry, with what the called constructor or method says. */
+  private static String withReason(Exception failure) {
+    String message = String.valueOf(failure.getMessage());
+    return failure.getCause() instanceof IllegalArgumentException reason
+            && !message.contains(String.valueOf(reason.getMessage()))
+        ? message + ": " + reason.getMessage()
+        : message;
   }
 
   /** The failure as a sentence with the location of the module's description. */
@@ -117,7 +132,7 @@ final class ModulePartFactory {
           ? new ConfigurationException(description.place() + ": " + known.getMessage(), known)
           : known;
     } else if (failure instanceof net.jini.config.ConfigurationException) {
-      String message = String.valueOf(failure.getMessage());
+      String message = withReason(failure);
       String file = String.valueOf(description.configuration());
       return classes.fault(
           "its Jini configuration "
