@@ -6,6 +6,7 @@ import static org.awaitility.Awaitility.await;
 import java.time.Duration;
 import java.util.List;
 import java.util.stream.LongStream;
+import org.dfra.benchmarks.event.BenchSensor;
 import org.dfra.river.server.sensor.GPSServer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -20,7 +21,7 @@ class StoppedListenerIT {
   @Test
   void othersReceiveEverythingWhileOneListeningProcessIsStopped() throws Exception {
     try (BenchRegistrar reggie = new BenchRegistrar(30_000);
-        GPSServer server = BenchSensor.serve(reggie.locator());
+        GPSServer server = BenchSensor.serve(List.of(reggie.locator()));
         ListenerProcess stopped = new ListenerProcess(reggie.locator());
         ListenerProcess second = new ListenerProcess(reggie.locator());
         ListenerProcess third = new ListenerProcess(reggie.locator())) {

@@ -1,0 +1,149 @@
+package org.dfra.benchmarks.event;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.LongStream;
+import java.util.stream.Stream;
+import org.dfra.benchmarks.task.TaskProcess;
+
+/** A source's process and its listeners' processes, of one peer. Used by one thread. */
+public final class EventProcesses implements AutoCloseable {
+
+  private static final Duration PATIENCE = Duration.ofMinutes(3);
+  private static final double NANOS_PER_MICRO = 1e3;
+
+  private final EventPeer peer;
+  private final TaskProcess source;
+  private final List<TaskProcess> listeners = new ArrayList<>();
+  private long published;
+
+  private EventProcesses(EventPeer peer, TaskProcess source) {
+    this.peer = peer;
+    this.source = source;
+  }
+
+  /**
+   * Starts all and connects them.
+   *
+   * @param count how many listeners
+   * @throws IOException if one does not start, or clocks of processes cannot be compared here
+   */
+  public static EventProcesses start(EventPeer peer, int count)
+      throws IOException, InterruptedException {
+    EventProcesses started =
+        new EventProcesses(peer, TaskProcess.start(EventServerTask.class, peer.name()));
+    try {
+      started.startListeners(count);
+      return started;
+    } catch (IOException | InterruptedException | RuntimeException e) {
+      started.close();
+      throw e;
+    }
+  }
+
+  private void startListeners(int count) throws IOException, InterruptedException {
+    String address = source.awaitLine("address ", PATIENCE).substring("address ".length());
+    for (int i = 0; i < count; i++) {
+      listeners.add(
+          TaskProcess.start(
+              List.of(), List.of("-Xmx64m"), EventListenerTask.class, peer.name(), address));
+    }
+    for (TaskProcess each : listeners) {
+      String unused = each.awaitLine("listening", PATIENCE);
+    }
+    for (TaskProcess each : listeners) {
+      checkClock(each);
+    }
+  }
+
+  /** On Linux, {@link System#nanoTime} of all processes has one origin. */
+  private static void checkClock(TaskProcess listener) throws IOException, InterruptedException {
+    long before = System.nanoTime();
+    listener.write("clock");
+    long there =
+        Long.parseLong(listener.awaitLine("clock ", PATIENCE).substring("clock ".length()));
+    if (there < before || there > System.nanoTime()) {
+      throw new IOException("the clocks of two processes cannot be compared on this computer");
+    }
+  }
+
+  /**
+   * Publishes events, and measures when each reaches each listener.
+   *
+   * @param events how many
+   * @param period time between two
+   * @throws IOException if one does not arrive, or arrives twice
+   */
+  public EventTimes measure(int events, Duration period) throws IOException, InterruptedException {
+    Duration before = cpu();
+    source.write("publish " + events + " " + period.toNanos());
+    long[] times = numbers(source.awaitLine("published ", PATIENCE));
+    long[] latencies = new long[events * listeners.size()];
+    int count = 0;
+    List<TaskProcess> all = List.copyOf(listeners);
+    for (TaskProcess each : all) {
+      each.write("report " + events);
+      Map<Long, Long> received = received(each.awaitLine("received ", PATIENCE));
+      for (int i = 0; i < events; i++) {
+        Long at = received.get(published + 1 + i);
+        if (at == null) {
+          throw new IOException(
+              peer.label() + ": a listener did not receive event " + (published + 1 + i));
+        }
+        latencies[count++] = at - times[i];
+      }
+    }
+    published += events;
+    return EventTimes.of(
+        latencies, cpu().minus(before).toNanos() / NANOS_PER_MICRO / latencies.length);
+  }
+
+  private static long[] numbers(String line) {
+    return Arrays.stream(line.split(" ", -1)).skip(1).mapToLong(Long::parseLong).toArray();
+  }
+
+  private static Map<Long, Long> received(String line) throws IOException {
+    Map<Long, Long> received = new HashMap<>();
+    for (String each : line.substring("received ".length()).split(" ", -1)) {
+      String[] words = each.split(":", -1);
+      if (received.put(Long.valueOf(words[0]), Long.valueOf(words[1])) != null) {
+        throw new IOException("a listener received event " + words[0] + " twice");
+      }
+    }
+    return received;
+  }
+
+  private Duration cpu() {
+    return Stream.concat(Stream.of(source), listeners.stream())
+        .flatMap(each -> ProcessHandle.of(each.pid()).stream())
+        .map(each -> each.info().totalCpuDuration())
+        .flatMap(Optional::stream)
+        .reduce(Duration.ZERO, Duration::plus);
+  }
+
+  /** Process IDs, the source's first. */
+  public List<Long> pids() {
+    return LongStream.concat(
+            LongStream.of(source.pid()), listeners.stream().mapToLong(TaskProcess::pid))
+        .boxed()
+        .toList();
+  }
+
+  /** Kills all. */
+  @Override
+  public void close() throws InterruptedException {
+    try {
+      for (TaskProcess each : listeners) {
+        each.close();
+      }
+    } finally {
+      source.close();
+    }
+  }
+}
