@@ -56,7 +56,7 @@ public final class EventComparison {
               + " …");
       for (EventPeer peer : order) {
         try (EventProcesses processes = EventProcesses.start(peer, settings.listeners())) {
-          EventTimes unused = processes.measure(settings.warmUp(), settings.warmUpPeriod());
+          processes.warmUp(settings.warmUp(), settings.warmUpPeriod());
           add(peer, processes.measure(settings.events(), settings.period()));
         }
       }

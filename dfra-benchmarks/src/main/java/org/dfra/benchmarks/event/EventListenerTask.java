@@ -14,9 +14,9 @@ import org.dfra.benchmarks.task.Task;
 /**
  * A listener's process. Arguments: the {@link EventPeer} and the source's address. It prints {@code
  * listening}, and answers each line of its input: {@code clock} by {@code clock} and the time by
- * {@link System#nanoTime}; {@code report COUNT} by {@code received} and {@code NUMBER:TIME} of each
- * event since the last report, when there are that many. It ends with its input, and fails if
- * events are missing.
+ * {@link System#nanoTime}; {@code report NUMBER} by {@code received} and {@code NUMBER:TIME} of
+ * each event since the last report, when the event of that number has arrived. It ends with its
+ * input, and fails if that event does not arrive.
  */
 public final class EventListenerTask implements Task {
 
@@ -24,6 +24,10 @@ public final class EventListenerTask implements Task {
 
   @GuardedBy("this")
   private final List<String> received = new ArrayList<>();
+
+  // number of the last event
+  @GuardedBy("this")
+  private long last;
 
   /** For {@link org.dfra.benchmarks.task.TaskProcess}. */
   public EventListenerTask() {}
@@ -37,7 +41,7 @@ public final class EventListenerTask implements Task {
       if (line.equals("clock")) {
         out.println("clock " + System.nanoTime());
       } else {
-        out.println("received " + report(Integer.parseInt(line.substring("report ".length()))));
+        out.println("received " + report(Long.parseLong(line.substring("report ".length()))));
       }
     }
   }
@@ -46,16 +50,17 @@ public final class EventListenerTask implements Task {
     long now = System.nanoTime();
     synchronized (this) {
       received.add(number + ":" + now);
+      last = number;
       notifyAll();
     }
   }
 
-  private synchronized String report(int count) throws IOException, InterruptedException {
+  private synchronized String report(long number) throws IOException, InterruptedException {
     long end = System.nanoTime() + PATIENCE.toNanos();
-    while (received.size() < count) {
+    while (last < number) {
       long left = end - System.nanoTime();
       if (left <= 0) {
-        throw new IOException("only " + received.size() + " of " + count + " events arrived");
+        throw new IOException("event " + number + " did not arrive; the last was " + last);
       }
       TimeUnit.NANOSECONDS.timedWait(this, left);
     }

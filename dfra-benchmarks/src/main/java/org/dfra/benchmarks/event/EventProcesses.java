@@ -74,6 +74,17 @@ public final class EventProcesses implements AutoCloseable {
   }
 
   /**
+   * Publishes events without measuring. While nothing is compiled yet, some may be lost.
+   *
+   * @param events how many
+   * @param period time between two
+   * @throws IOException if the last does not arrive
+   */
+  public void warmUp(int events, Duration period) throws IOException, InterruptedException {
+    List<Map<Long, Long>> unused = tell(events, period, new long[events]);
+  }
+
+  /**
    * Publishes events, and measures when each reaches each listener.
    *
    * @param events how many
@@ -82,26 +93,36 @@ public final class EventProcesses implements AutoCloseable {
    */
   public EventTimes measure(int events, Duration period) throws IOException, InterruptedException {
     Duration before = cpu();
-    source.write("publish " + events + " " + period.toNanos());
-    long[] times = numbers(source.awaitLine("published ", PATIENCE));
+    long first = published + 1;
+    long[] times = new long[events];
     long[] latencies = new long[events * listeners.size()];
     int count = 0;
-    List<TaskProcess> all = List.copyOf(listeners);
-    for (TaskProcess each : all) {
-      each.write("report " + events);
-      Map<Long, Long> received = received(each.awaitLine("received ", PATIENCE));
+    for (Map<Long, Long> received : tell(events, period, times)) {
       for (int i = 0; i < events; i++) {
-        Long at = received.get(published + 1 + i);
+        Long at = received.get(first + i);
         if (at == null) {
-          throw new IOException(
-              peer.label() + ": a listener did not receive event " + (published + 1 + i));
+          throw new IOException(peer.label() + ": a listener did not receive event " + (first + i));
         }
         latencies[count++] = at - times[i];
       }
     }
-    published += events;
     return EventTimes.of(
         latencies, cpu().minus(before).toNanos() / NANOS_PER_MICRO / latencies.length);
+  }
+
+  /** Publishes events; returns their times of arrival at each listener, by number. */
+  private List<Map<Long, Long>> tell(int events, Duration period, long[] times)
+      throws IOException, InterruptedException {
+    source.write("publish " + events + " " + period.toNanos());
+    long[] told = numbers(source.awaitLine("published ", PATIENCE));
+    System.arraycopy(told, 0, times, 0, events);
+    published += events;
+    List<Map<Long, Long>> received = new ArrayList<>();
+    for (TaskProcess each : listeners) {
+      each.write("report " + published);
+      received.add(received(each.awaitLine("received ", PATIENCE)));
+    }
+    return received;
   }
 
   private static long[] numbers(String line) {
