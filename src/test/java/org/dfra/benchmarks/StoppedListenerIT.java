@@ -59,4 +59,32 @@ class StoppedListenerIT {
       assertThat(server.identification().path()).isEqualTo("bench/gps");
     }
   }
+
+  /** A delivery that succeeds renews the lease; to a process that is stopped none does. */
+  @Test
+  void aStoppedProcessLosesItsLeaseWhileEventsAreSentToIt() throws Exception {
+    try (BenchRegistrar reggie = new BenchRegistrar(30_000);
+        GPSServer server = BenchSensor.serve(List.of(reggie.locator()));
+        ListenerProcess stopped = new ListenerProcess(reggie.locator());
+        ListenerProcess other = new ListenerProcess(reggie.locator())) {
+      BenchSensor sensor = BenchSensor.awaitInstance();
+      stopped.awaitReady();
+      other.awaitReady();
+      assertThat(sensor.leases().clients()).isEqualTo(2);
+      stopped.signal("STOP");
+      try {
+        await()
+            .atMost(PATIENCE)
+            .until(
+                () -> {
+                  sensor.publish();
+                  return sensor.leases().clients() == 1;
+                });
+      } finally {
+        stopped.signal("CONT");
+      }
+      await("it registers again").atMost(PATIENCE).until(() -> sensor.leases().clients() == 2);
+      assertThat(server.identification().path()).isEqualTo("bench/gps");
+    }
+  }
 }

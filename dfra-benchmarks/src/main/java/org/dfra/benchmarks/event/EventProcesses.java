@@ -16,6 +16,10 @@ import org.dfra.benchmarks.task.TaskProcess;
 public final class EventProcesses implements AutoCloseable {
 
   private static final Duration PATIENCE = Duration.ofMinutes(3);
+
+  /** So many processes start at a time: twenty would miss the deadlines of their first calls. */
+  private static final int STARTING = 3;
+
   private static final double NANOS_PER_MICRO = 1e3;
 
   private final EventPeer peer;
@@ -53,8 +57,11 @@ public final class EventProcesses implements AutoCloseable {
       listeners.add(
           TaskProcess.start(
               List.of(), List.of("-Xmx64m"), EventListenerTask.class, peer.name(), address));
+      if (i >= STARTING) {
+        String unused = listeners.get(i - STARTING).awaitLine("listening", PATIENCE);
+      }
     }
-    for (TaskProcess each : listeners) {
+    for (TaskProcess each : listeners.subList(Math.max(0, count - STARTING), count)) {
       String unused = each.awaitLine("listening", PATIENCE);
     }
     for (TaskProcess each : listeners) {
@@ -81,7 +88,7 @@ public final class EventProcesses implements AutoCloseable {
    * @throws IOException if the last does not arrive
    */
   public void warmUp(int events, Duration period) throws IOException, InterruptedException {
-    List<Map<Long, Long>> unused = tell(events, period, new long[events]);
+    List<Map<Long, Long>> unused = publish(events, period, new long[events]);
   }
 
   /**
@@ -97,7 +104,7 @@ public final class EventProcesses implements AutoCloseable {
     long[] times = new long[events];
     long[] latencies = new long[events * listeners.size()];
     int count = 0;
-    for (Map<Long, Long> received : tell(events, period, times)) {
+    for (Map<Long, Long> received : publish(events, period, times)) {
       for (int i = 0; i < events; i++) {
         Long at = received.get(first + i);
         if (at == null) {
@@ -111,11 +118,11 @@ public final class EventProcesses implements AutoCloseable {
   }
 
   /** Publishes events; returns their times of arrival at each listener, by number. */
-  private List<Map<Long, Long>> tell(int events, Duration period, long[] times)
+  private List<Map<Long, Long>> publish(int events, Duration period, long[] times)
       throws IOException, InterruptedException {
     source.write("publish " + events + " " + period.toNanos());
-    long[] told = numbers(source.awaitLine("published ", PATIENCE));
-    System.arraycopy(told, 0, times, 0, events);
+    long[] sent = numbers(source.awaitLine("published ", PATIENCE));
+    System.arraycopy(sent, 0, times, 0, events);
     published += events;
     List<Map<Long, Long>> received = new ArrayList<>();
     for (TaskProcess each : listeners) {

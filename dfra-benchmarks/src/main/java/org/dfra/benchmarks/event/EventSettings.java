@@ -22,7 +22,7 @@ public record EventSettings(
 
   /** For records: 20 listeners, 10 Hz. */
   public static final EventSettings FULL =
-      new EventSettings(5, 20, 1000, Duration.ofMillis(20), 200, Duration.ofMillis(100));
+      new EventSettings(5, 20, 1000, Duration.ofMillis(20), 150, Duration.ofMillis(100));
 
   /** To try it; the figures are not to be compared. */
   public static final EventSettings QUICK =

@@ -45,13 +45,13 @@ final class TcpEvents implements EventTransport {
     while (true) {
       Socket socket = open.accept();
       BlockingQueue<Long> events = new LinkedBlockingQueue<>();
-      start("tells a listener", () -> tell(socket, events, bytes));
+      start("writes", () -> deliver(socket, events, bytes));
       listeners.add(events);
-      socket.getOutputStream().write(0); // the listener is told of all events from now on
+      socket.getOutputStream().write(0); // the listener gets all events from now on
     }
   }
 
-  private static void tell(Socket socket, BlockingQueue<Long> events, int bytes)
+  private static void deliver(Socket socket, BlockingQueue<Long> events, int bytes)
       throws IOException, InterruptedException {
     socket.setTcpNoDelay(true);
     DataOutputStream out =

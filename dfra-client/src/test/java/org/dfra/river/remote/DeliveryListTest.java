@@ -55,7 +55,7 @@ class DeliveryListTest {
   }
 
   @Test
-  void aListenerThatThrowsGetsTheRestAndTheServerIsTold() {
+  void aListenerThatThrowsGetsTheRestAndTheServerAnException() {
     RemoteModuleListener listener =
         delivery -> {
           received.add(delivery.sequence());
