@@ -57,6 +57,8 @@ abstract class PrintedTextRules {
           "org.dfra.benchmarks.call.BusyTask",
           "org.dfra.benchmarks.call.CallClientTask",
           "org.dfra.benchmarks.call.CallServerTask",
+          "org.dfra.benchmarks.event.EventListenerTask",
+          "org.dfra.benchmarks.event.EventServerTask",
           "org.dfra.benchmarks.task.TaskMain",
           "org.dfra.benchmarks.MicroTask", // likewise
           "org.dfra.cli.archive.ArchivedClasses", // the help of commands, to nobody

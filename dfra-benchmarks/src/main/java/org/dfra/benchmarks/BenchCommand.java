@@ -38,7 +38,7 @@ import picocli.CommandLine.Spec;
       "  call          a call between processes; also RMI, JERI, JeroMQ (40 minutes; less with --only)",
       "  calls         a small remote call, and the check of its bytes (fifteen seconds)",
       "  distributed   lookup, queries, staleness, renewals, events (four minutes)",
-      "  events        of these, only events; also a bare TCP program (eleven minutes)",
+      "  events        events to 20 processes; also a bare TCP program (nine minutes; --quick)",
       "  fuzzy         fuzzy inference with 135 rules (thirty seconds)",
       "  lockstep      how much faster than real time drivers run in lock-step (one minute)",
       "  micro         single operations: a call, marshalling, a parser (seven minutes; less with --only)",
@@ -147,15 +147,8 @@ final class BenchCommand implements Callable<Integer> {
     return new MicroBench(matching, quick ? MicroSettings.QUICK : MicroSettings.FULL);
   }
 
-  /** With --quick only the comparison: the other part has no shorter form. */
   private Bench events() {
-    Bench comparison = new EventComparisonBench(quick ? EventSettings.QUICK : EventSettings.FULL);
-    return quick
-        ? comparison
-        : report -> {
-          new EventBench().run(report);
-          comparison.run(report);
-        };
+    return new EventComparisonBench(quick ? EventSettings.QUICK : EventSettings.FULL);
   }
 
   private Bench callComparison() {

@@ -87,7 +87,7 @@ public final class EventComparison {
   /** A row for each peer: medians of the repetitions, and ratios with their lowest and highest. */
   public Table table() {
     String over = "× " + EventPeer.REFERENCE.label();
-    Table table = new Table("peer", "p50, ms", over, "p99, ms", over, "longest", "CPU, µs");
+    Table table = new Table("peer", "p50, ms", over, "p99, ms", over, "longest", "CPU, µs", "lost");
     for (EventPeer peer : EventPeer.values()) {
       table.row(
           peer.label(),
@@ -96,7 +96,8 @@ public final class EventComparison {
           spread(peer, EventTimes::p99).text(),
           ratio(peer, EventTimes::p99).text(),
           spread(peer, EventTimes::longest).text(),
-          spread(peer, EventTimes::cpu).text());
+          spread(peer, EventTimes::cpu).text(),
+          Integer.toString(times(peer).stream().mapToInt(EventTimes::lost).sum()));
     }
     return table;
   }
@@ -117,6 +118,11 @@ public final class EventComparison {
       figures.add(figure(name + "longest", spread(peer, EventTimes::longest).median(), "ms"));
       figures.add(
           figure(name + "CPU time per delivery", spread(peer, EventTimes::cpu).median(), "µs"));
+      figures.add(
+          figure(
+              name + "events lost in all repetitions",
+              times(peer).stream().mapToInt(EventTimes::lost).sum(),
+              ""));
     }
     String over = " over " + EventPeer.REFERENCE.label();
     for (EventPeer peer : EventPeer.values()) {

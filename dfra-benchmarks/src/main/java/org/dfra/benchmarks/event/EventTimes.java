@@ -11,19 +11,22 @@ import java.util.Arrays;
  * @param longest the longest, milliseconds
  * @param cpu processor time of all processes for a delivery, microseconds, also that of their
  *     compilers and garbage collectors
+ * @param lost events that did not arrive at a listener; their latencies are not counted
  */
-public record EventTimes(double p50, double p99, double longest, double cpu) {
+public record EventTimes(double p50, double p99, double longest, double cpu, int lost) {
 
   private static final double NANOS_PER_MILLI = 1e6;
 
   /**
-   * @param nanos each latency, nanoseconds
+   * @param nanos each latency, nanoseconds; at least one
    * @param cpu as above
+   * @param lost as above
    */
-  static EventTimes of(long[] nanos, double cpu) {
+  static EventTimes of(long[] nanos, double cpu, int lost) {
     long[] sorted = nanos.clone();
     Arrays.sort(sorted);
-    return new EventTimes(quantile(sorted, 0.5), quantile(sorted, 0.99), quantile(sorted, 1), cpu);
+    return new EventTimes(
+        quantile(sorted, 0.5), quantile(sorted, 0.99), quantile(sorted, 1), cpu, lost);
   }
 
   private static double quantile(long[] sorted, double part) {

@@ -112,7 +112,7 @@ final class TcpEvents implements EventTransport {
               try {
                 role.run();
               } catch (IOException | InterruptedException e) { // the comparison sees missing events
-                System.err.println("a thread that " + name + " ended: " + e);
+                throw new IllegalStateException("a thread that " + name + " has ended", e);
               }
             },
             name);
