@@ -6,6 +6,7 @@ import static org.awaitility.Awaitility.await;
 import java.time.Duration;
 import java.util.List;
 import java.util.stream.LongStream;
+import org.dfra.benchmarks.event.BenchSensor;
 import org.dfra.river.server.sensor.GPSServer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -20,7 +21,7 @@ class StoppedListenerIT {
   @Test
   void othersReceiveEverythingWhileOneListeningProcessIsStopped() throws Exception {
     try (BenchRegistrar reggie = new BenchRegistrar(30_000);
-        GPSServer server = BenchSensor.serve(reggie.locator());
+        GPSServer server = BenchSensor.serve(List.of(reggie.locator()));
         ListenerProcess stopped = new ListenerProcess(reggie.locator());
         ListenerProcess second = new ListenerProcess(reggie.locator());
         ListenerProcess third = new ListenerProcess(reggie.locator())) {
@@ -55,6 +56,34 @@ class StoppedListenerIT {
                 sensor.publish();
                 return stopped.report().keySet().stream().anyMatch(number -> number > EVENTS);
               });
+      assertThat(server.identification().path()).isEqualTo("bench/gps");
+    }
+  }
+
+  /** A delivery that succeeds renews the lease; to a process that is stopped none does. */
+  @Test
+  void aStoppedProcessLosesItsLeaseWhileEventsAreSentToIt() throws Exception {
+    try (BenchRegistrar reggie = new BenchRegistrar(30_000);
+        GPSServer server = BenchSensor.serve(List.of(reggie.locator()));
+        ListenerProcess stopped = new ListenerProcess(reggie.locator());
+        ListenerProcess other = new ListenerProcess(reggie.locator())) {
+      BenchSensor sensor = BenchSensor.awaitInstance();
+      stopped.awaitReady();
+      other.awaitReady();
+      assertThat(sensor.leases().clients()).isEqualTo(2);
+      stopped.signal("STOP");
+      try {
+        await()
+            .atMost(PATIENCE)
+            .until(
+                () -> {
+                  sensor.publish();
+                  return sensor.leases().clients() == 1;
+                });
+      } finally {
+        stopped.signal("CONT");
+      }
+      await("it registers again").atMost(PATIENCE).until(() -> sensor.leases().clients() == 2);
       assertThat(server.identification().path()).isEqualTo("bench/gps");
     }
   }

@@ -60,6 +60,8 @@ abstract class PrintedTextRules {
           "org.dfra.benchmarks.scale.ObserverTask",
           "org.dfra.benchmarks.scale.RobotTask",
           "org.dfra.benchmarks.scale.TeamView",
+          "org.dfra.benchmarks.event.EventListenerTask",
+          "org.dfra.benchmarks.event.EventServerTask",
           "org.dfra.benchmarks.task.TaskMain",
           "org.dfra.benchmarks.MicroTask", // likewise
           "org.dfra.cli.archive.ArchivedClasses", // the help of commands, to nobody

@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 import static org.awaitility.Awaitility.await;
 
 import com.sun.jini.landlord.Landlord;
-import com.sun.jini.landlord.LandlordLease;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.Arrays;
@@ -36,6 +35,7 @@ import org.dfra.lease.LeaseRole;
 import org.dfra.river.lease.ModuleLandlord;
 import org.dfra.river.lookup.SuppliedConfiguration;
 import org.dfra.river.remote.GrantedModuleLease;
+import org.dfra.river.remote.ProcessLease;
 import org.dfra.river.server.Exporters;
 import org.dfra.testing.EmbeddedReggie;
 import org.dfra.testing.ServedModule;
@@ -176,8 +176,8 @@ class ModuleLandlordTest {
   @Test
   void renewsAndCancelsManyAtOnceAndReportsWhichFailed() throws Exception {
     landlord.start();
-    LandlordLease good = (LandlordLease) grant(5_000);
-    LandlordLease other = (LandlordLease) grant(5_000);
+    ProcessLease good = (ProcessLease) grant(5_000);
+    ProcessLease other = (ProcessLease) grant(5_000);
     Uuid unknown = UuidFactory.generate();
     Landlord.RenewResults renewed =
         landlord.renewAll(

@@ -1,5 +1,6 @@
 package org.dfra.event;
 
+import java.io.Serial;
 import java.io.Serializable;
 import java.time.Instant;
 
@@ -44,5 +45,10 @@ public record Delivery(
   /** The kind of the event. */
   public DeliveryPolicy.EventKind kind() {
     return DeliveryPolicy.EventKind.of(event);
+  }
+
+  @Serial
+  private Object writeReplace() {
+    return new DeliveryForm(this);
   }
 }

@@ -10,6 +10,7 @@ import org.dfra.agent.RecruitmentAgent;
 import org.dfra.agent.RecruitmentStatus;
 import org.dfra.agent.RequesterPhase;
 import org.dfra.agent.ResponderPhase;
+import org.dfra.benchmarks.event.BenchActivation;
 import org.dfra.core.module.ModuleContext;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.lifecycle.Readiness;
@@ -45,12 +46,12 @@ public final class BenchAgent extends ModuleImpl implements RecruitmentAgent, At
     return ModuleServer.started(
         new RecruitmentAgentServer(
             null,
-            BenchRegistrar.activation(
+            BenchActivation.of(
                 "agent",
                 RecruitmentAgentServer.class,
                 RecruitmentAgentProxy.class,
                 BenchAgent.class,
-                locator)));
+                List.of(locator))));
   }
 
   @Override

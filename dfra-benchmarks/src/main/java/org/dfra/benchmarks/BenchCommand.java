@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
@@ -13,6 +14,7 @@ import java.util.stream.Stream;
 import org.dfra.benchmarks.MicroTask.MicroSettings;
 import org.dfra.benchmarks.call.CallComparison;
 import org.dfra.benchmarks.call.CallSettings;
+import org.dfra.benchmarks.event.EventSettings;
 import org.dfra.benchmarks.micro.MicroBenchmark;
 import org.dfra.report.measurement.RecordOption;
 import org.dfra.report.terminal.ExitCode;
@@ -36,7 +38,7 @@ import picocli.CommandLine.Spec;
       "  call          a call between processes; also RMI, JERI, JeroMQ (40 minutes; less with --only)",
       "  calls         a small remote call, and the check of its bytes (fifteen seconds)",
       "  distributed   lookup, queries, staleness, renewals, events (four minutes)",
-      "  events        of these, only the latency of events",
+      "  events        events to 20 processes; also a bare TCP program (nine minutes; --quick)",
       "  fuzzy         fuzzy inference with 135 rules (thirty seconds)",
       "  lockstep      how much faster than real time drivers run in lock-step (one minute)",
       "  micro         single operations: a call, marshalling, a parser (seven minutes; less with --only)",
@@ -57,7 +59,7 @@ final class BenchCommand implements Callable<Integer> {
     benches.put("call", this::callComparison);
     benches.put("calls", CallBench::new);
     benches.put("distributed", DistributedBench::new);
-    benches.put("events", EventBench::new);
+    benches.put("events", this::events);
     benches.put("fuzzy", FuzzyBench::new);
     benches.put("lockstep", LockStepBench::new);
     benches.put("micro", this::micro);
@@ -112,7 +114,8 @@ final class BenchCommand implements Callable<Integer> {
   @Option(
       names = "--quick",
       description =
-          "The benchmarks call and micro run for a minute or less; their figures are inaccurate.")
+          "The benchmarks call, events and micro run for a minute or less; their figures are"
+              + " inaccurate.")
   private boolean quick;
 
   @Mixin
@@ -156,6 +159,10 @@ final class BenchCommand implements Callable<Integer> {
     return new MicroBench(matching, quick ? MicroSettings.QUICK : MicroSettings.FULL);
   }
 
+  private Bench events() {
+    return new EventComparisonBench(quick ? EventSettings.QUICK : EventSettings.FULL);
+  }
+
   private Bench callComparison() {
     CallSettings settings = quick ? CallSettings.QUICK : CallSettings.FULL;
     List<CallComparison> matching = CallComparisonBench.matching(chosen(), settings);
@@ -168,7 +175,7 @@ final class BenchCommand implements Callable<Integer> {
 
   /** The name in records, where a short run is not to be taken for a full one. */
   private String recordedName() {
-    return quick && (name.equals("micro") || name.equals("call")) ? name + " quick" : name;
+    return quick && Set.of("micro", "call", "events").contains(name) ? name + " quick" : name;
   }
 
   @Override

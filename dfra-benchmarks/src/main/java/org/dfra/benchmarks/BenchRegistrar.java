@@ -8,27 +8,22 @@ import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
-import java.rmi.MarshalledObject;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
-import java.util.UUID;
 import java.util.concurrent.atomic.AtomicLong;
 import javax.net.ServerSocketFactory;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.jeri.tcp.TcpServerEndpoint;
-import org.dfra.core.config.ModuleDescription;
-import org.dfra.core.config.Parameters;
-import org.dfra.core.config.SourceLocation;
+import org.dfra.benchmarks.event.BenchActivation;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.JeriExporters;
-import org.dfra.river.server.ModuleActivation;
 
 /** River's Reggie in this JVM; it counts the bytes of all calls. */
 final class BenchRegistrar implements AutoCloseable {
 
-  static final String HOST = "127.0.0.1";
+  static final String HOST = BenchActivation.HOST;
 
   private final EmbeddedRegistrar reggie;
   private final AtomicLong bytes = new AtomicLong();
@@ -65,28 +60,6 @@ final class BenchRegistrar implements AutoCloseable {
   /** Number of bytes of all calls so far, in both directions. */
   long bytes() {
     return bytes.get();
-  }
-
-  /**
-   * The activation data with which a group serves such a module of robot {@code bench}, which joins
-   * there.
-   */
-  static MarshalledObject<ModuleActivation> activation(
-      String name, Class<?> server, Class<?> proxy, Class<?> driver, String locator)
-      throws IOException {
-    ModuleDescription description =
-        new ModuleDescription(
-            "bench",
-            name,
-            server.getName(),
-            proxy.getName(),
-            driver.getName(),
-            null,
-            false,
-            Parameters.of("bench/" + name, Map.of()),
-            SourceLocation.CODE);
-    return new MarshalledObject<>(
-        new ModuleActivation(description, UUID.randomUUID(), HOST, List.of(), List.of(locator)));
   }
 
   @Override

@@ -9,9 +9,11 @@ import java.lang.reflect.Method;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.Arrays;
+import java.util.List;
 import java.util.UUID;
 import org.dfra.benchmarks.attack.CallBytes;
 import org.dfra.benchmarks.attack.RawCall;
+import org.dfra.benchmarks.event.BenchSensor;
 import org.dfra.flow.effector.Command;
 import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.DriveCommand.Velocity;
@@ -56,7 +58,7 @@ final class CallBench implements Bench {
                 new CommandKey(UUID.randomUUID()),
                 new Velocity(0.3, 0)));
     try (BenchRegistrar reggie = new BenchRegistrar(LEASE);
-        GPSServer server = BenchSensor.serve(reggie.locator())) {
+        GPSServer server = BenchSensor.serve(List.of(reggie.locator()))) {
       RemoteGPSSensor gps = (RemoteGPSSensor) server.getProxy(); // by TCP, also from here
       if (!gps.awaitReadiness(START).serves()) {
         throw new IOException(server.identification().path() + " is not ready after " + START);

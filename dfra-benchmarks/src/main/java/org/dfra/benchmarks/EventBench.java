@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.DoubleStream;
+import org.dfra.benchmarks.event.BenchSensor;
 import org.dfra.cli.log.LogbackLevels;
 import org.dfra.event.delivery.ListenerQueue;
 import org.dfra.module.LogLevel;
@@ -21,7 +22,7 @@ import org.dfra.river.server.sensor.GPSServer;
 final class EventBench implements Bench {
 
   /** Events per second. */
-  static final int RATE = 10;
+  static final int RATE = BenchSensor.RATE;
 
   private static final long PERIOD = TimeUnit.SECONDS.toNanos(1) / RATE;
   private static final int LISTENERS = 20;
@@ -54,7 +55,7 @@ final class EventBench implements Bench {
     report.say("Starting " + LISTENERS + " processes that listen …");
     List<ListenerProcess> listeners = new ArrayList<>();
     try (BenchRegistrar reggie = new BenchRegistrar(LEASE);
-        GPSServer server = BenchSensor.serve(reggie.locator())) {
+        GPSServer server = BenchSensor.serve(List.of(reggie.locator()))) {
       try {
         report.say(server.identification().path() + " is up.");
         for (int i = 0; i < LISTENERS; i++) {

@@ -12,6 +12,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.apache.commons.statistics.distribution.LogNormalDistribution;
 import org.apache.commons.statistics.inference.KolmogorovSmirnovTest;
+import org.dfra.benchmarks.event.BenchSensor;
 import org.dfra.cli.log.LogbackLevels;
 import org.dfra.event.delivery.ListenerQueue;
 import org.dfra.experiments.recruit.simulation.MessageRate;
@@ -67,7 +68,7 @@ final class RecruitBench implements Bench {
     rate(report);
     report.say("Another process writes " + MEASURED + " messages to an agent here, and listens …");
     try (BenchRegistrar reggie = new BenchRegistrar(LEASE);
-        GPSServer server = BenchSensor.serve(reggie.locator());
+        GPSServer server = BenchSensor.serve(List.of(reggie.locator()));
         RecruitmentAgentServer agent = BenchAgent.serve(reggie.locator());
         ListenerProcess other = new ListenerProcess(reggie.locator())) {
       other.awaitReady();

@@ -47,6 +47,7 @@ public final class DeliveryPool implements Executor {
   private final LinkedBlockingQueue<Runnable> tasks = new LinkedBlockingQueue<>();
   private final Set<Worker> workers = ConcurrentHashMap.newKeySet();
   private final AtomicInteger names = new AtomicInteger();
+  private final AtomicInteger idle = new AtomicInteger(); // threads that wait for a task
   private final AtomicBoolean looking = new AtomicBoolean();
 
   /**
@@ -109,8 +110,9 @@ public final class DeliveryPool implements Executor {
   /** Starts threads for waiting tasks now, or schedules another attempt. Never throws. */
   private void serveAll() {
     boolean started = replaceBlocked();
-    // If the maximum number of threads is reached, the first free thread takes the next task.
-    if (!tasks.isEmpty() && workers.size() < most && looking.compareAndSet(false, true)) {
+    // Idle threads take as many tasks at once. If the maximum number of threads is reached, the
+    // first free thread takes the next task.
+    if (tasks.size() > idle.get() && workers.size() < most && looking.compareAndSet(false, true)) {
       try {
         scheduler.after(started ? BLOCKED_NANOS : RETRY_NANOS, this::look);
       } catch (OutOfMemoryError e) { // the timer has no thread either; the next task tries again
@@ -180,9 +182,12 @@ public final class DeliveryPool implements Executor {
     public void run() {
       try {
         while (mayStay()) {
-          @Nullable Runnable turn = tasks.poll(IDLE_SECONDS, TimeUnit.SECONDS);
+          @Nullable Runnable turn = awaitTask();
           if (turn == null) {
             break;
+          }
+          if (!tasks.isEmpty()) { // it came when this thread still counted as idle
+            serveAll();
           }
           serve(turn);
         }
@@ -191,6 +196,15 @@ public final class DeliveryPool implements Executor {
       } finally {
         workers.remove(this);
         serveAll(); // a task may have arrived while this one was ending
+      }
+    }
+
+    private @Nullable Runnable awaitTask() throws InterruptedException {
+      idle.incrementAndGet();
+      try {
+        return tasks.poll(IDLE_SECONDS, TimeUnit.SECONDS);
+      } finally {
+        idle.decrementAndGet();
       }
     }
 

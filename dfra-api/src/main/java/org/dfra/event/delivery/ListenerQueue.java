@@ -4,6 +4,8 @@ import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.lang.System.Logger.Level;
 import java.rmi.NoSuchObjectException;
 import java.rmi.RemoteException;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.Executor;
 import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
@@ -12,9 +14,13 @@ import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The queue of one listener, bounded by its {@link DeliveryPolicy}; at most one delivery is in
- * progress. Offering never blocks and allocates nothing. The queue submits its next delivery to the
- * pool when the previous one has ended, so the pool holds at most one of its tasks at a time.
+ * The queue of one listener, bounded by its {@link DeliveryPolicy}; at most one call to the
+ * listener is in progress. Offering never blocks and allocates nothing. The queue submits its next
+ * call to the pool when the previous one has ended, so the pool holds at most one of its tasks at a
+ * time.
+ *
+ * <p>A {@link BatchListener} gets all events that wait, within its {@link BatchLimits}, in one
+ * call. If its policy limits the rate of deliveries, it gets one event in each call.
  */
 public final class ListenerQueue implements AutoCloseable {
 
@@ -24,8 +30,9 @@ public final class ListenerQueue implements AutoCloseable {
   private static final System.Logger LOG = System.getLogger(ListenerQueue.class.getName());
   private static final double NANOS_PER_SECOND = 1e9;
 
-  private final ModuleListener listener;
+  private final BatchListener listener;
   private final DeliveryPolicy policy;
+  private final BatchLimits limits;
   private final int failuresAllowed;
   private final Runnable whenGivenUp;
   private final Executor pool;
@@ -62,7 +69,13 @@ public final class ListenerQueue implements AutoCloseable {
   @GuardedBy("this")
   private @Nullable String lastFailure;
 
+  /** The most events of the next call: fewer after a slow or failed one. */
+  @GuardedBy("this")
+  private int most;
+
   /**
+   * For a listener that is notified of one event at a time.
+   *
    * @param maxFailures the listener is removed after this many consecutive failures
    * @param onGivenUp run once when that happens, on a thread of the pool
    * @param pool makes the deliveries: a {@link DeliveryPool}, or an executor of {@link
@@ -75,7 +88,35 @@ public final class ListenerQueue implements AutoCloseable {
       Runnable onGivenUp,
       Executor pool,
       Scheduler scheduler) {
+    this(
+        (BatchListener) deliveries -> listener.notify(deliveries.get(0)),
+        BatchLimits.ONE,
+        policy,
+        maxFailures,
+        onGivenUp,
+        pool,
+        scheduler);
+  }
+
+  /**
+   * For a listener that is notified of several events at once. A call that throws counts as one
+   * failure, and all its events as dropped.
+   *
+   * @param limits of the events in one call
+   * @param maxFailures the listener is removed after this many consecutive failures
+   * @param onGivenUp run once when that happens, on a thread of the pool
+   * @param pool makes the calls, as in the other constructor
+   */
+  public ListenerQueue(
+      BatchListener listener,
+      BatchLimits limits,
+      DeliveryPolicy policy,
+      int maxFailures,
+      Runnable onGivenUp,
+      Executor pool,
+      Scheduler scheduler) {
     this.listener = listener;
+    this.limits = limits;
     this.policy = policy;
     this.failuresAllowed = maxFailures;
     this.whenGivenUp = onGivenUp;
@@ -83,6 +124,7 @@ public final class ListenerQueue implements AutoCloseable {
     this.scheduler = scheduler;
     this.period = (long) (NANOS_PER_SECOND / policy.maxRate());
     this.ring = new @Nullable Delivery[policy.queueDepth()];
+    this.most = period > 0 ? 1 : limits.events();
     this.earliest = scheduler.nanos();
   }
 
@@ -137,18 +179,18 @@ public final class ListenerQueue implements AutoCloseable {
   }
 
   private void deliverNext() {
-    Delivery next;
+    List<Delivery> next;
+    long begun;
     synchronized (this) {
-      @Nullable Delivery first = size == 0 ? null : take();
-      if (first == null) { // closed meanwhile
+      next = takeBatch();
+      if (next.isEmpty()) { // closed meanwhile
         underWay = false;
         return;
       }
-      next = first.afterDropping(dropped);
-      dropped = 0;
-      earliest = scheduler.nanos() + period;
+      begun = scheduler.nanos();
+      earliest = begun + period;
     }
-    boolean givenUp = !deliver(next);
+    boolean givenUp = !deliver(next, begun);
     synchronized (this) {
       if (givenUp) {
         close();
@@ -163,27 +205,66 @@ public final class ListenerQueue implements AutoCloseable {
     }
   }
 
+  /** Takes the events of the next call; none if the queue is empty. */
+  @GuardedBy("this")
+  private List<Delivery> takeBatch() {
+    @Nullable Delivery first = size == 0 ? null : take();
+    if (first == null) {
+      return List.of();
+    }
+    first = first.afterDropping(dropped);
+    dropped = 0;
+    if (size == 0 || most == 1) {
+      return List.of(first);
+    }
+    List<Delivery> batch = new ArrayList<>(Math.min(most, size + 1));
+    batch.add(first);
+    long left = limits.bytes() - EventSize.of(first.event());
+    while (size > 0 && batch.size() < most) {
+      @Nullable Delivery next = ring[head];
+      long bytes = next == null ? EventSize.UNKNOWN : EventSize.of(next.event());
+      if (next == null || bytes > left) {
+        break;
+      }
+      left -= bytes;
+      batch.add(next);
+      @Nullable Delivery unused = take();
+    }
+    return List.copyOf(batch);
+  }
+
   /** Notifies the listener; false if it is to be removed. */
-  private boolean deliver(Delivery delivery) {
+  private boolean deliver(List<Delivery> deliveries, long begun) {
     Thread thread = Thread.currentThread();
     @Nullable ClassLoader before = thread.getContextClassLoader();
     thread.setContextClassLoader(loader);
     try {
-      listener.notify(delivery);
-      synchronized (this) {
-        failures = 0;
-        lastFailure = null;
-      }
+      listener.notify(deliveries);
+      delivered(deliveries.size(), scheduler.nanos() - begun);
       return true;
     } catch (RemoteException | RuntimeException | Error e) {
-      return failed(delivery, e);
+      return failed(deliveries, e);
     } finally {
       thread.setContextClassLoader(before);
     }
   }
 
-  private synchronized boolean failed(Delivery delivery, Throwable e) {
-    dropped += 1 + delivery.dropped();
+  private synchronized void delivered(int count, long nanos) {
+    failures = 0;
+    lastFailure = null;
+    if (period == 0) {
+      most =
+          nanos > limits.slow().toNanos()
+              ? Math.max(1, count / 2)
+              : (int) Math.min(limits.events(), 2L * most);
+    }
+  }
+
+  private synchronized boolean failed(List<Delivery> deliveries, Throwable e) {
+    for (Delivery each : deliveries) {
+      dropped += 1 + each.dropped();
+    }
+    most = 1;
     failures++;
     String failure = e.toString();
     boolean givenUp =
@@ -192,16 +273,17 @@ public final class ListenerQueue implements AutoCloseable {
     if (closed) {
       return true;
     }
+    String module = deliveries.get(0).module();
     if (givenUp) {
       LOG.log(
           Level.INFO,
           "{0}: a listener is given up after {1} failures: {2}",
-          delivery.module(),
+          module,
           failures,
           failure);
     } else if (!failure.equals(lastFailure)) {
       lastFailure = failure;
-      LOG.log(Level.WARNING, delivery.module() + ": a listener failed: " + failure, e);
+      LOG.log(Level.WARNING, module + ": a listener failed: " + failure, e);
     }
     return !givenUp;
   }

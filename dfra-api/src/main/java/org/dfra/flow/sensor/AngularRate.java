@@ -1,5 +1,6 @@
 package org.dfra.flow.sensor;
 
+import java.io.Serial;
 import java.time.Instant;
 import org.dfra.event.Reading;
 
@@ -19,5 +20,10 @@ public record AngularRate(Instant measured, String frame, double rate) implement
     if (!Double.isFinite(rate)) {
       throw new IllegalArgumentException("angular rate " + rate + " rad/s is not finite");
     }
+  }
+
+  @Serial
+  private Object writeReplace() {
+    return SensorForm.of(this);
   }
 }

@@ -1,5 +1,6 @@
 package org.dfra.flow.sensor;
 
+import java.io.Serial;
 import java.time.Instant;
 import java.util.OptionalDouble;
 import org.dfra.event.Reading;
@@ -82,5 +83,10 @@ public record GpsFix(
   /** Height above the WGS84 ellipsoid in metres, where there is a position. */
   public OptionalDouble height() {
     return position == null ? OptionalDouble.empty() : OptionalDouble.of(position.height());
+  }
+
+  @Serial
+  private Object writeReplace() {
+    return SensorForm.of(this);
   }
 }

@@ -1,5 +1,6 @@
 package org.dfra.flow.sensor;
 
+import java.io.Serial;
 import java.time.Instant;
 import org.dfra.event.Reading;
 
@@ -35,5 +36,10 @@ public record Odometry(
       throw new IllegalArgumentException(
           "odometry (" + x + " m, " + y + " m, " + yaw + " rad) is not finite");
     }
+  }
+
+  @Serial
+  private Object writeReplace() {
+    return SensorForm.of(this);
   }
 }

@@ -1,5 +1,6 @@
 package org.dfra.flow.sensor;
 
+import java.io.Serial;
 import java.time.Instant;
 import java.util.Arrays;
 import org.dfra.event.Reading;
@@ -107,5 +108,10 @@ public record RangeScan(
         + ", measuredBeams="
         + met
         + (met == 0 ? "]" : ", nearest=" + nearest + " m]");
+  }
+
+  @Serial
+  private Object writeReplace() {
+    return SensorForm.of(this);
   }
 }

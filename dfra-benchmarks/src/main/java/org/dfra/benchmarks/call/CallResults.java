@@ -1,10 +1,8 @@
 package org.dfra.benchmarks.call;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.EnumMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import org.dfra.benchmarks.call.CallMeasurement.ProcessUse;
@@ -60,31 +58,12 @@ public final class CallResults {
     }
 
     String text() {
-      return (isComplete || Double.isNaN(perCall) ? "" : "≥ ") + CallResults.text(perCall);
+      return (isComplete || Double.isNaN(perCall) ? "" : "≥ ") + Spread.text(perCall);
     }
   }
 
   private Switches switches(CallPeer peer, CallKind kind, Side side) {
     return Switches.of(measurements(peer, kind).stream().map(side::use).toList());
-  }
-
-  /** Lowest, median and highest of the repetitions. */
-  private record Spread(double low, double median, double high) {
-
-    static Spread of(List<Double> values) {
-      List<Double> sorted = values.stream().sorted().toList();
-      int middle = sorted.size() / 2;
-      double median =
-          sorted.size() % 2 == 1
-              ? sorted.get(middle)
-              : (sorted.get(middle - 1) + sorted.get(middle)) / 2;
-      return new Spread(Collections.min(sorted), median, Collections.max(sorted));
-    }
-
-    String text() {
-      return CallResults.text(median)
-          + (low < high ? " (" + CallResults.text(low) + "–" + CallResults.text(high) + ")" : "");
-    }
   }
 
   private Spread spread(CallPeer peer, CallKind kind, ToDoubleFunction<CallMeasurement> figure) {
@@ -120,11 +99,7 @@ public final class CallResults {
               + ": "
               + title);
     }
-    List<Double> ratios = new ArrayList<>();
-    for (int i = 0; i < own.size(); i++) {
-      ratios.add(own.get(i) / reference.get(i));
-    }
-    return Spread.of(ratios);
+    return Spread.ofRatios(own, reference);
   }
 
   /**
@@ -150,19 +125,19 @@ public final class CallResults {
     for (CallPeer peer : measured.keySet()) {
       table.row(
           peer.label(),
-          text(median(peer, CallKind.SMALL, CallResults::p50)),
-          text(median(peer, CallKind.SMALL, CallResults::p99)),
+          Spread.text(median(peer, CallKind.SMALL, CallResults::p50)),
+          Spread.text(median(peer, CallKind.SMALL, CallResults::p99)),
           ratio(peer, CallKind.SMALL, CallResults::p50).text(),
-          text(median(peer, CallKind.VALUES, CallResults::p50)),
+          Spread.text(median(peer, CallKind.VALUES, CallResults::p50)),
           ratio(peer, CallKind.VALUES, CallResults::p50).text(),
-          text(median(peer, CallKind.CALLERS, CallResults::perSecond)),
+          Spread.text(median(peer, CallKind.CALLERS, CallResults::perSecond)),
           ratio(peer, CallKind.CALLERS, CallResults::perSecond).text(),
           switches(peer, CallKind.SMALL, CallMeasurement::client).text()
               + " + "
               + switches(peer, CallKind.SMALL, CallMeasurement::server).text(),
-          text(median(peer, CallKind.SMALL, each -> each.client().cpuPerCall()))
+          Spread.text(median(peer, CallKind.SMALL, each -> each.client().cpuPerCall()))
               + " + "
-              + text(median(peer, CallKind.SMALL, each -> each.server().cpuPerCall())));
+              + Spread.text(median(peer, CallKind.SMALL, each -> each.server().cpuPerCall())));
     }
     return table;
   }
@@ -235,14 +210,5 @@ public final class CallResults {
 
   private static MeasuredValue figure(String what, double value, String unit) {
     return new MeasuredValue(what, value, Double.POSITIVE_INFINITY, unit);
-  }
-
-  /** Three digits, as far as they are decimals. */
-  private static String text(double value) {
-    if (Double.isNaN(value)) {
-      return "?";
-    }
-    int decimals = value >= 100 ? 0 : value >= 10 ? 1 : 2;
-    return String.format(Locale.ROOT, "%." + decimals + "f", value);
   }
 }

@@ -15,6 +15,7 @@ import java.util.concurrent.TimeUnit;
 import net.jini.io.MarshalInputStream;
 import net.jini.io.MarshalOutputStream;
 import org.dfra.benchmarks.attack.CallBytes;
+import org.dfra.benchmarks.event.CallSize;
 import org.dfra.event.Delivery;
 import org.dfra.event.ModuleEvent.NewReading;
 import org.dfra.flow.perceptual.PoseEstimate;
@@ -94,11 +95,11 @@ public class MarshallingBenchmark {
   /** For JMH. */
   public MarshallingBenchmark() {
     try {
-      notify = RemoteModuleListener.class.getMethod("notify", Delivery.class);
+      notify = CallSize.notifyMethod();
       estimate = PositionEstimator.class.getMethod("estimate");
       RemoteModuleListener callee = delivery -> {};
       listener = new ArgumentReader(notify, callee);
-      event = CallBytes.of(notify, EVENT);
+      event = CallBytes.of(notify, EVENT, 1L, 1L);
       percept = answer(PERCEPT);
       eventPlain = writePlain(EVENT);
       perceptPlain = writePlain(PERCEPT);
@@ -138,7 +139,7 @@ public class MarshallingBenchmark {
    */
   @Benchmark
   public byte[] writeEvent() throws IOException {
-    return CallBytes.of(notify, EVENT);
+    return CallBytes.of(notify, EVENT, 1L, 1L);
   }
 
   /**
@@ -160,6 +161,43 @@ public class MarshallingBenchmark {
   @Benchmark
   public Object readEvent() throws IOException, ReflectiveOperationException {
     return listener.read(event, OPENING)[0];
+  }
+
+  /**
+   * The same once more, to be compared with {@link #readEventUnchecked}.
+   *
+   * @throws IOException if they are refused
+   * @throws ReflectiveOperationException if one of their classes is unknown
+   */
+  @Benchmark
+  public Object readEventChecked() throws IOException, ReflectiveOperationException {
+    return readEvent();
+  }
+
+  /**
+   * Reads the arguments of that call from River's stream without any check or filter.
+   *
+   * @throws IOException never
+   * @throws ClassNotFoundException never
+   */
+  @Benchmark
+  public Object readEventUnchecked() throws IOException, ClassNotFoundException {
+    try (MarshalInputStream in =
+        new MarshalInputStream(
+            new ByteArrayInputStream(event, OPENING, event.length - OPENING),
+            LOADER,
+            false,
+            LOADER,
+            List.of())) {
+      in.useCodebaseAnnotations(); // as River's dispatchers do
+      long method = in.readLong();
+      Object read = in.readObject();
+      long numbers = in.readLong() + in.readLong();
+      if (method == numbers) {
+        throw new IOException("the call has other arguments");
+      }
+      return read;
+    }
   }
 
   /**

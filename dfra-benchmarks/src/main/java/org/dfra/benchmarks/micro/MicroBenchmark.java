@@ -45,6 +45,8 @@ public record MicroBenchmark(
           marshalling("write an event", STREAMS, "writeEventPlain"),
           marshalling("read an event", "", "readEvent"),
           marshalling("read an event", STREAMS, "readEventPlain"),
+          marshalling("read an event with its checks", "", "readEventChecked"),
+          marshalling("read an event with its checks", "no checks", "readEventUnchecked"),
           marshalling("write a percept", "", "writePercept"),
           marshalling("write a percept", STREAMS, "writePerceptPlain"),
           marshalling("read a percept", "", "readPercept"),

@@ -104,6 +104,8 @@ class MicroBenchmarkTest {
         .isEqualTo(MarshallingBenchmark.EVENT)
         .isNotSameAs(MarshallingBenchmark.EVENT);
     assertThat(streams.readEventPlain()).isEqualTo(MarshallingBenchmark.EVENT);
+    assertThat(streams.readEventChecked()).isEqualTo(MarshallingBenchmark.EVENT);
+    assertThat(streams.readEventUnchecked()).isEqualTo(MarshallingBenchmark.EVENT);
     assertThat(streams.readPercept()).isEqualTo(MarshallingBenchmark.PERCEPT);
     assertThat(streams.readPerceptPlain()).isEqualTo(MarshallingBenchmark.PERCEPT);
     assertThat(streams.writeEvent().length).isGreaterThan(streams.writeEventPlain().length);

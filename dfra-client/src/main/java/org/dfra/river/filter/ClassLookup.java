@@ -1,8 +1,8 @@
 package org.dfra.river.filter;
 
+import java.lang.ref.WeakReference;
 import java.util.Collections;
 import java.util.Map;
-import java.util.Set;
 import java.util.WeakHashMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -13,8 +13,9 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>For each name that it is asked for, {@link Class#forName} leaves an entry in the class loader
  * (its table of locks for parallel loading), also where there is no such class, and nothing removes
- * it. So invented names would fill the heap. Here, the file of a class is looked for first. Names
- * that were found are remembered; they are not more than there are classes.
+ * it. So invented names would fill the heap. Here, the file of a class is looked for first. Classes
+ * that were found are remembered as long as their loader exists; they are not more than there are
+ * files. So each is resolved once for each loader, and not again in each call.
  *
  * <p>The JDK's own loaders also remember each file that they do not have, until memory is almost
  * exhausted. So after {@value #MAX_MISSES} names without a class, {@link ClassFiles} looks for
@@ -41,8 +42,14 @@ public final class ClassLookup {
       new ClassFiles(
           System.getProperty("java.class.path"), System.getProperty("dfra.boot-class-path"));
 
-  private static final Map<ClassLoader, Set<String>> FOUND =
+  /**
+   * By the loader that is asked, the names of the classes that have a file, and the class if it was
+   * asked for. Neither keeps a loader: the class may be of this loader itself.
+   */
+  private static final Map<ClassLoader, Map<String, WeakReference<Class<?>>>> FOUND =
       Collections.synchronizedMap(new WeakHashMap<>());
+
+  private static final WeakReference<Class<?>> NOT_ASKED_FOR = new WeakReference<>(null);
 
   private ClassLookup() {}
 
@@ -57,10 +64,28 @@ public final class ClassLookup {
    */
   public static Class<?> find(String name, @Nullable ClassLoader loader)
       throws ClassNotFoundException {
+    @Nullable Class<?> known = loader == null ? null : known(name, loader);
+    if (known != null) {
+      return known;
+    }
     if (!exists(name, loader)) {
       throw new ClassNotFoundException(name);
     }
-    return Class.forName(name, false, loader);
+    Class<?> found = Class.forName(name, false, loader);
+    if (loader != null && !found.isArray()) { // there are more names of arrays than classes
+      found(loader).put(name, new WeakReference<>(found));
+    }
+    return found;
+  }
+
+  /** A class that the loader was asked for before: it gives the same one for ever. */
+  private static @Nullable Class<?> known(String name, ClassLoader loader) {
+    @Nullable WeakReference<Class<?>> known = found(loader).get(name);
+    return known == null ? null : known.get();
+  }
+
+  private static Map<String, WeakReference<Class<?>>> found(ClassLoader loader) {
+    return FOUND.computeIfAbsent(loader, unused -> new ConcurrentHashMap<>());
   }
 
   /** Whether a loader has the file of a class, or of an array's elements. */
@@ -89,13 +114,13 @@ public final class ClassLookup {
     if (loader == null) { // the virtual machine's own loader has no such table
       return true;
     }
-    Set<String> found = FOUND.computeIfAbsent(loader, unused -> ConcurrentHashMap.newKeySet());
-    if (found.contains(element)) {
+    Map<String, WeakReference<Class<?>>> found = found(loader);
+    if (found.containsKey(element)) {
       return true;
     }
     boolean exists = element.indexOf('/') < 0 && hasFile(loader, element.replace('.', '/'));
     if (exists) {
-      found.add(element);
+      WeakReference<Class<?>> unused = found.putIfAbsent(element, NOT_ASKED_FOR);
     }
     return exists;
   }

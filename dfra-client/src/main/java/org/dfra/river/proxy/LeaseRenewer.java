@@ -6,13 +6,18 @@ import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import net.jini.core.lease.Lease;
-import net.jini.core.lease.LeaseDeniedException;
+import net.jini.core.lease.LeaseException;
+import net.jini.core.lease.LeaseMap;
+import net.jini.core.lease.LeaseMapException;
 import net.jini.core.lease.UnknownLeaseException;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.river.call.CallThreads;
@@ -27,12 +32,16 @@ import org.jspecify.annotations.Nullable;
  * one if the server has lost it or was restarted.
  *
  * <p>It checks the lease every {@value #PERIOD_MILLIS} ms, more often if the lease is short, and
- * once more soon after the first failed call. All renewers of this virtual machine share one timer
- * thread, which only dispatches. Threads that exist during a call make the calls, so an
- * unresponsive server delays no other renewal. The lease's duration is measured in monotonic time:
- * a change of the system clock neither ends nor prolongs it. The timer references the renewer. It
- * ends when it is closed, when its lease was revoked, or when it has lost a lease that may not be
- * requested again.
+ * once more soon after the first failed call. Leases of the same landlord that are due within half
+ * a period are renewed by one call; what becomes of one of them does not affect the others. While
+ * {@linkplain #renewedByPeer the server proves} that it renews the lease by itself, no call is
+ * made.
+ *
+ * <p>All renewers of this virtual machine share one timer thread, which only dispatches. Threads
+ * that exist during a call make the calls, so an unresponsive server delays no other renewal. The
+ * lease's duration is measured in monotonic time: a change of the system clock neither ends nor
+ * prolongs it. The timer references the renewer. It ends when it is closed, when its lease was
+ * revoked, or when it has lost a lease that may not be requested again.
  */
 final class LeaseRenewer implements AutoCloseable {
 
@@ -55,6 +64,9 @@ final class LeaseRenewer implements AutoCloseable {
    */
   private static final long RETRY_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
 
+  /** Fewer than a landlord allows. */
+  private static final int MAX_TOGETHER = 256;
+
   private static final System.Logger LOG = System.getLogger(LeaseRenewer.class.getName());
   private static final ThreadPoolExecutor CALLERS = CallThreads.pool("dfra-renewal-");
 
@@ -74,6 +86,17 @@ final class LeaseRenewer implements AutoCloseable {
   @GuardedBy("this")
   private long end;
 
+  // what the server grants for this lease, at least
+  @GuardedBy("this")
+  private long leastGranted;
+
+  // when it had renewed the lease by itself, by the scheduler's time; meaningless without proof
+  @GuardedBy("this")
+  private long provenAt;
+
+  @GuardedBy("this")
+  private boolean isProven;
+
   @GuardedBy("this")
   private boolean closed;
 
@@ -91,6 +114,14 @@ final class LeaseRenewer implements AutoCloseable {
 
   @GuardedBy("this")
   private @Nullable ScheduledTask next;
+
+  // when that runs, by the scheduler's time
+  @GuardedBy("this")
+  private long due;
+
+  // whether a thread checks the lease, or will at once
+  @GuardedBy("this")
+  private boolean busy;
 
   /**
    * @param what the lease, for the log
@@ -139,6 +170,7 @@ final class LeaseRenewer implements AutoCloseable {
     this.callers = callers;
     long granted = grantedNanos(lease);
     this.end = scheduler.nanos() + granted;
+    this.leastGranted = granted;
     this.periodNanos = Math.min(TimeUnit.MILLISECONDS.toNanos(PERIOD_MILLIS), granted / 3);
   }
 
@@ -156,20 +188,75 @@ final class LeaseRenewer implements AutoCloseable {
   synchronized void start() {
     if (!closed) {
       HeldLeaseRegistry.add(lease);
-      next =
-          scheduler.after(
-              justMissed ? Math.min(RETRY_NANOS, periodNanos) : periodNanos, this::send);
+      RenewalGroups.SHARED.join(this, lease);
+      scheduleNext();
+    }
+  }
+
+  private synchronized void scheduleNext() {
+    if (!closed) {
+      schedule(justMissed ? Math.min(RETRY_NANOS, periodNanos) : periodNanos);
       justMissed = false;
     }
   }
 
+  @GuardedBy("this")
+  private void schedule(long nanos) {
+    busy = false;
+    due = scheduler.nanos() + nanos;
+    next = scheduler.after(nanos, this::send);
+  }
+
   /** Called on the timer's thread: dispatches the check of the lease to another thread. */
   private void send() {
+    synchronized (this) {
+      if (closed || busy) {
+        return;
+      }
+      long left = nanosUntilDue();
+      if (left > 0) {
+        schedule(left);
+        return;
+      }
+      busy = true;
+    }
+    dispatch(this::look);
+  }
+
+  private void dispatch(Runnable check) {
     try {
-      callers.execute(this::look);
+      callers.execute(check);
     } catch (OutOfMemoryError e) { // no further thread
       LOG.log(Level.WARNING, () -> what + ": no thread to renew it, trying again: " + e);
-      start();
+      scheduleNext();
+    }
+  }
+
+  /** Until the next call must be made: a period after the last proof, if that is later. */
+  @GuardedBy("this")
+  private long nanosUntilDue() {
+    long now = scheduler.nanos();
+    long left = due - now;
+    return isProven && interruptedSince == null
+        ? Math.max(left, provenAt + periodNanos - now)
+        : left;
+  }
+
+  /**
+   * The server has proved that it renewed the lease by itself, after accepting a delivery.
+   *
+   * @param at a time before that, by the scheduler: the lease lasts at least its duration from then
+   */
+  synchronized void renewedByPeer(long at) {
+    if (closed || isOver()) {
+      return; // in doubt, the server is asked
+    }
+    if (at + leastGranted - end > 0) {
+      end = at + leastGranted;
+    }
+    if (!isProven || at - provenAt > 0) {
+      isProven = true;
+      provenAt = at;
     }
   }
 
@@ -215,15 +302,20 @@ final class LeaseRenewer implements AutoCloseable {
     }
     Lease last = lease;
     HeldLeaseRegistry.remove(last);
+    RenewalGroups.SHARED.leave(this);
     return PendingLeaseCancellations.run(CALLERS, () -> cancelLease(last));
   }
 
   private void look() {
+    inContext(this::lookAfterIt);
+  }
+
+  private void inContext(Runnable check) {
     Thread thread = Thread.currentThread();
     @Nullable ClassLoader before = thread.getContextClassLoader();
     thread.setContextClassLoader(loader);
     try {
-      lookAfterIt();
+      check.run();
     } finally {
       thread.setContextClassLoader(before);
     }
@@ -239,48 +331,124 @@ final class LeaseRenewer implements AutoCloseable {
       held = lease;
       over = isOver();
     }
-    try {
-      long begun = scheduler.nanos();
-      if (!over && renewed(held)) {
-        extended(held, begun);
-      } else {
-        long asked = scheduler.nanos();
-        replace(registration.register(), asked);
+    if (over) {
+      registerAgain();
+      return;
+    }
+    List<DueLease> together = new ArrayList<>();
+    together.add(new DueLease(this, held, duration));
+    for (LeaseRenewer each : RenewalGroups.SHARED.others(this)) {
+      @Nullable DueLease claimed = together.size() < MAX_TOGETHER ? each.claim() : null;
+      if (claimed != null) {
+        together.add(claimed);
       }
+    }
+    renew(together);
+  }
+
+  /** A lease that one call renews, perhaps with others; nobody else checks it meanwhile. */
+  private record DueLease(LeaseRenewer renewer, Lease lease, long duration) {}
+
+  /** Gives the lease to a call of another renewer, if it is due soon; null if it is not. */
+  private synchronized @Nullable DueLease claim() {
+    if (closed || busy || next == null || isOver() || nanosUntilDue() > periodNanos / 2) {
+      return null;
+    }
+    next.cancel();
+    busy = true;
+    return new DueLease(this, lease, duration);
+  }
+
+  private static void renew(List<DueLease> together) {
+    DueLease first = together.get(0);
+    long begun = first.renewer().scheduler.nanos();
+    Map<?, ?> failed = Map.of();
+    @Nullable Exception failure = new RemoteException("an error ended the renewal");
+    try {
+      if (together.size() == 1) {
+        first.lease().renew(first.duration());
+      } else {
+        renewAll(together);
+      }
+      failure = null;
+    } catch (LeaseMapException e) {
+      failed = e.exceptionMap;
+      failure = null;
+    } catch (LeaseException | RemoteException | RuntimeException e) {
+      failure = e;
+    } finally {
+      for (DueLease each : together) {
+        each.renewer().conclude(each.lease(), begun, failure(each, failed, failure));
+      }
+    }
+  }
+
+  @SuppressWarnings("unchecked") // as River declares it
+  private static void renewAll(List<DueLease> together) throws LeaseMapException, RemoteException {
+    DueLease first = together.get(0);
+    LeaseMap map = first.lease().createLeaseMap(first.duration());
+    for (DueLease each : together.subList(1, together.size())) {
+      map.put(each.lease(), each.duration());
+    }
+    map.renewAll();
+  }
+
+  private static @Nullable Exception failure(
+      DueLease lease, Map<?, ?> failed, @Nullable Exception ofAll) {
+    @Nullable Object own = failed.get(lease.lease());
+    if (own == null) {
+      return ofAll;
+    }
+    return own instanceof Exception known ? known : new RemoteException("not renewed: " + own);
+  }
+
+  /** Takes the result of a call that should have renewed the lease; null if it did. */
+  private void conclude(Lease held, long begun, @Nullable Exception failure) {
+    if (failure == null) {
+      extended(held, begun);
+      reached();
+      scheduleNext();
+    } else if (failure instanceof LeaseRevokedException e) {
+      revoked(e);
+    } else if (isGone(failure)) {
+      LOG.log(Level.DEBUG, () -> what + ": the lease is gone: " + failure);
+      dispatch(() -> inContext(this::registerAgain)); // others of the same call do not wait
+    } else {
+      missed(failure);
+      scheduleNext();
+    }
+  }
+
+  /** Whether the lease has certainly ended, or the server that granted it has. */
+  private boolean isGone(Exception failure) {
+    if (failure instanceof java.rmi.ConnectException
+        || failure instanceof java.rmi.ConnectIOException) {
+      return comesBack && ConnectionRefusal.isProvenBy((RemoteException) failure);
+    }
+    return failure instanceof LeaseException || failure instanceof java.rmi.NoSuchObjectException;
+  }
+
+  private void registerAgain() {
+    try {
+      long asked = scheduler.nanos();
+      replace(registration.register(), asked);
       reached();
     } catch (LeaseRevokedException e) {
       revoked(e);
     } catch (RemoteException | LeaseRefusedException | RuntimeException e) {
       missed(e);
     } finally {
-      start();
+      scheduleNext();
     }
-  }
-
-  /** Renews the lease; false if it has certainly ended, or the server that granted it has. */
-  private boolean renewed(Lease held) throws RemoteException, LeaseRevokedException {
-    try {
-      held.renew(duration);
-      return true;
-    } catch (LeaseRevokedException e) {
-      throw e;
-    } catch (java.rmi.ConnectException | java.rmi.ConnectIOException e) {
-      if (!comesBack || !ConnectionRefusal.isProvenBy(e)) {
-        throw e; // it may yet be renewed
-      }
-      return gone(e);
-    } catch (UnknownLeaseException | LeaseDeniedException | java.rmi.NoSuchObjectException e) {
-      return gone(e);
-    }
-  }
-
-  private boolean gone(Exception e) {
-    LOG.log(Level.DEBUG, () -> what + ": the lease is gone: " + e);
-    return false;
   }
 
   private synchronized void extended(Lease renewed, long begun) {
-    end = begun + grantedNanos(renewed);
+    long granted = grantedNanos(renewed);
+    leastGranted = Math.min(leastGranted, granted);
+    end = begun + granted;
+    if (isProven && provenAt + leastGranted - end > 0) {
+      end = provenAt + leastGranted;
+    }
   }
 
   private void replace(Lease fresh, long asked) {
@@ -290,8 +458,12 @@ final class LeaseRenewer implements AutoCloseable {
       if (!tooLate) {
         HeldLeaseRegistry.remove(lease);
         HeldLeaseRegistry.add(fresh);
+        RenewalGroups.SHARED.leave(this);
+        RenewalGroups.SHARED.join(this, fresh);
         lease = fresh;
-        end = asked + grantedNanos(fresh);
+        leastGranted = grantedNanos(fresh);
+        end = asked + leastGranted;
+        isProven = false;
       }
     }
     if (tooLate) {
@@ -305,6 +477,7 @@ final class LeaseRenewer implements AutoCloseable {
     if (!closed) {
       closed = true;
       HeldLeaseRegistry.remove(lease);
+      RenewalGroups.SHARED.leave(this);
       LOG.log(Level.INFO, () -> what + ": ended: " + e.getMessage());
     }
   }

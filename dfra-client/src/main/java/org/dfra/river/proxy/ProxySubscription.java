@@ -5,8 +5,10 @@ import java.rmi.ConnectIOException;
 import java.rmi.RemoteException;
 import java.time.Instant;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import net.jini.core.lease.Lease;
@@ -23,6 +25,7 @@ import org.dfra.river.call.DeadlineExceededException;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.call.JeriExporters;
+import org.dfra.river.remote.DeliveryList;
 import org.dfra.river.remote.GrantedSubscription;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.remote.RemoteModuleListener;
@@ -46,6 +49,7 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
   private final DeliveryCounter counter;
   private final ListenerQueue queue;
   private final Exporter exporter;
+  private final DeliveryRenewals renewals = new DeliveryRenewals();
   private volatile @Nullable LeaseRenewer renewer; // set before open returns
 
   private ProxySubscription(Exporter exporter, ModuleListener listener, DeliveryPolicy policy) {
@@ -140,10 +144,33 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
     throw new RemoteException("the server gave no lease for the listener");
   }
 
-  /** Receives an event from the server. */
+  /** Receives an event that is not from the server's subscription. */
   @Override
   public void notify(Delivery delivery) {
     queue.offer(delivery);
+  }
+
+  /** Receives an event from the server. */
+  @Override
+  public void notify(Delivery delivery, long call, long renewed) {
+    received(call, renewed);
+    queue.offer(delivery);
+  }
+
+  /** Receives events from the server. Each goes to the listener for itself. */
+  @Override
+  public void notify(List<Delivery> deliveries, long call, long renewed) {
+    List<Delivery> checked = DeliveryList.checked(deliveries);
+    received(call, renewed);
+    checked.forEach(queue::offer);
+  }
+
+  private void received(long call, long renewed) {
+    OptionalLong proof = renewals.received(call, renewed, Scheduler.system().nanos());
+    @Nullable LeaseRenewer open = renewer;
+    if (proof.isPresent() && open != null) {
+      open.renewedByPeer(proof.getAsLong());
+    }
   }
 
   @Override

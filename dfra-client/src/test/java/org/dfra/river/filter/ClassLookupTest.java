@@ -39,6 +39,43 @@ class ClassLookupTest {
 
   private final RecordingLoader loader = new RecordingLoader();
 
+  @Test
+  void asksALoaderOnceForEachClass() throws Exception {
+    String name = ClassLookupTest.class.getName();
+    Class<?> first = ClassLookup.find(name, loader);
+    assertThat(ClassLookup.find(name, loader)).isSameAs(first).isSameAs(ClassLookupTest.class);
+    assertThat(ClassLookup.exists(name, loader)).isTrue();
+    assertThat(loader.asked).containsExactly(name);
+    RecordingLoader other = new RecordingLoader();
+    assertThat(ClassLookup.find(name, other)).isSameAs(first);
+    assertThat(other.asked).as("another loader may have another class").containsExactly(name);
+  }
+
+  /** The classes are of the loader itself, so they would keep it if they were kept. */
+  @Test
+  void keepsNoLoader() throws Exception {
+    URL[] classes = {
+      ClassLookupTest.class.getProtectionDomain().getCodeSource().getLocation(),
+    };
+    URLClassLoader own = new URLClassLoader(classes, ClassLoader.getPlatformClassLoader());
+    Class<?> found = ClassLookup.find(Standalone.class.getName(), own);
+    assertThat(found.getClassLoader()).isSameAs(own);
+    java.lang.ref.WeakReference<ClassLoader> watched = new java.lang.ref.WeakReference<>(own);
+    own.close();
+    found = null;
+    own = null;
+    org.awaitility.Awaitility.await()
+        .atMost(java.time.Duration.ofSeconds(30))
+        .until(
+            () -> {
+              System.gc();
+              return watched.get() == null;
+            });
+  }
+
+  /** Needs no other class of the tests. */
+  public static final class Standalone {}
+
   @ParameterizedTest
   @ValueSource(
       strings = {

@@ -99,4 +99,57 @@ class LeaseRenewerTest {
     assertThat(calls).hasValue(3);
     use.close();
   }
+
+  /** As for a subscription to a module with ten readings a second. */
+  @Test
+  void noCallIsMadeWhileTheServerProvesThatItRenewsTheLease() {
+    LeaseRenewer use = renewer();
+    use.start();
+    for (int i = 0; i < 100; i++) {
+      time.pass(Duration.ofMillis(100));
+      use.renewedByPeer(time.nanos() - Duration.ofMillis(100).toNanos());
+    }
+    assertThat(lease.renewed).isEmpty();
+    assertThat(use.isLive()).as("after ten seconds").isTrue();
+    time.pass(Duration.ofMillis(699));
+    assertThat(lease.renewed).isEmpty();
+    time.pass(Duration.ofMillis(1));
+    assertThat(lease.renewed).as("0.8 s after the last proof").hasSize(1);
+    use.close();
+  }
+
+  @Test
+  void aProofProlongsTheLeaseFromItsOwnTimeAndNotFromItsArrival() {
+    LeaseRenewer use = renewer();
+    lease.failsBy(new RemoteException("no way there"));
+    use.start();
+    long early = time.nanos() + Duration.ofSeconds(2).toNanos();
+    time.pass(Duration.ofSeconds(5));
+    use.renewedByPeer(early);
+    time.pass(Duration.ofSeconds(7).minusMillis(100));
+    assertThat(use.isLive()).isTrue();
+    time.pass(Duration.ofMillis(200));
+    assertThat(use.isLive()).as("12 s after it was granted for 10").isFalse();
+    use.renewedByPeer(time.nanos());
+    assertThat(use.isLive()).as("a lease that may have ended is not revived").isFalse();
+    use.close();
+  }
+
+  @Test
+  void anInterruptedLeaseIsRenewedWhateverTheServerProves() {
+    LeaseRenewer use = renewer();
+    lease.failsBy(new RemoteException("no way there"));
+    use.start();
+    time.pass(Duration.ofMillis(800));
+    lease.failsBy(null);
+    use.renewedByPeer(time.nanos());
+    time.pass(Duration.ofMillis(100));
+    assertThat(lease.renewed).hasSize(2);
+    assertThat(use.interruptedSince()).isEmpty();
+    use.close();
+  }
+
+  private LeaseRenewer renewer() {
+    return new LeaseRenewer("use of r/gps", LEASE.toMillis(), lease, time, Runnable::run);
+  }
 }

@@ -11,6 +11,8 @@ import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.DeliveryPolicy.EventKind;
 import org.dfra.event.ModuleEvent;
 import org.dfra.event.ModuleListener;
+import org.dfra.event.delivery.BatchLimits;
+import org.dfra.event.delivery.BatchListener;
 import org.dfra.event.delivery.DeliveryPool;
 import org.dfra.event.delivery.ListenerQueue;
 import org.dfra.time.Scheduler;
@@ -55,8 +57,7 @@ public final class EventHub {
    * @param epoch the module's epoch at registration
    * @param lastSequences the last sequence number of each kind of event at registration, by ordinal
    */
-  public record ListenerEntry(
-      ModuleListener listener, ListenerQueue queue, long epoch, long[] lastSequences) {}
+  public record ListenerEntry(ListenerQueue queue, long epoch, long[] lastSequences) {}
 
   /**
    * Adds a listener. Every event published from now on is offered to it.
@@ -82,19 +83,48 @@ public final class EventHub {
       int failuresAllowed,
       Runnable whenGivenUp,
       Executor deliveries) {
-    ListenerQueue queue =
+    return add(
+        new ListenerQueue(
+            listener, policy, failuresAllowed, givenUp(whenGivenUp), pool(deliveries), scheduler));
+  }
+
+  /**
+   * The same, for a listener that is notified of several events at once.
+   *
+   * @param limits of the events in one call
+   */
+  public ListenerEntry add(
+      BatchListener listener,
+      BatchLimits limits,
+      DeliveryPolicy policy,
+      int failuresAllowed,
+      Runnable whenGivenUp,
+      Executor deliveries) {
+    return add(
         new ListenerQueue(
             listener,
+            limits,
             policy,
             failuresAllowed,
-            () -> {
-              entries.removeIf(entry -> !entry.queue().isOpen());
-              whenGivenUp.run();
-            },
-            scheduler.isLockStep() ? pool : deliveries,
-            scheduler);
+            givenUp(whenGivenUp),
+            pool(deliveries),
+            scheduler));
+  }
+
+  private Runnable givenUp(Runnable then) {
+    return () -> {
+      entries.removeIf(entry -> !entry.queue().isOpen());
+      then.run();
+    };
+  }
+
+  private Executor pool(Executor deliveries) {
+    return scheduler.isLockStep() ? pool : deliveries;
+  }
+
+  private ListenerEntry add(ListenerQueue queue) {
     synchronized (this) {
-      ListenerEntry entry = new ListenerEntry(listener, queue, numbers.epoch(), numbers.last());
+      ListenerEntry entry = new ListenerEntry(queue, numbers.epoch(), numbers.last());
       entries.add(entry);
       return entry;
     }

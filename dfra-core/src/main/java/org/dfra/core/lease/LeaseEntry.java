@@ -20,6 +20,7 @@ final class LeaseEntry {
   final Runnable onEnd;
   final Runnable onCancel;
   long end; // guarded by the registry; meaningless without an expiry
+  int term; // guarded by the registry; counts its grant and its renewals
   @Nullable ScheduledTask expiry; // guarded by the registry; null if no renewal is needed
 
   LeaseEntry(

@@ -195,6 +195,26 @@ public final class LeaseRegistry implements AutoCloseable {
     return Optional.of(new LeaseGrant(id, duration, clock.instant().plus(duration)));
   }
 
+  /**
+   * Prolongs a lease because its holder has proved that it lives, as by accepting an event: it ends
+   * the default duration from now or, if that is later, as before.
+   *
+   * @return false if the lease no longer exists; then nothing changes
+   */
+  public boolean prolong(UUID id) {
+    synchronized (entries) {
+      LeaseEntry entry = entries.get(id);
+      if (entry == null) {
+        return false;
+      }
+      long end = scheduler.nanos() + terms.defaultDuration().toNanos();
+      if (entry.expiry != null && end - entry.end > 0) {
+        entry.end = end; // its expiry is scheduled again when it is due
+      }
+      return true;
+    }
+  }
+
   /** Cancels a lease; false if it no longer exists. */
   public boolean cancel(UUID id) {
     LeaseEntry entry;
@@ -339,23 +359,43 @@ public final class LeaseRegistry implements AutoCloseable {
   /** If its expiry cannot be scheduled the lease is unchanged. */
   private void extend(UUID id, LeaseEntry entry, Duration asked) {
     long end = scheduler.nanos() + asked.toNanos();
-    Executor ending = expiries.apply(entry.holder);
-    ScheduledTask expiry = scheduler.after(asked.toNanos(), () -> ending.execute(() -> expire(id)));
+    int term = entry.term + 1;
+    ScheduledTask expiry = expiryAfter(asked.toNanos(), id, entry, term);
     cancelExpiry(entry);
+    entry.term = term;
     entry.end = end;
     entry.expiry = expiry;
   }
 
-  private void expire(UUID id) {
+  private ScheduledTask expiryAfter(long nanos, UUID id, LeaseEntry entry, int term) {
+    Executor ending = expiries.apply(entry.holder);
+    return scheduler.after(nanos, () -> ending.execute(() -> expire(id, term)));
+  }
+
+  private void expire(UUID id, int term) {
     LeaseEntry entry;
     synchronized (entries) {
       entry = entries.get(id);
-      if (entry == null || scheduler.nanos() - entry.end < 0) {
+      if (entry == null || entry.term != term) {
         return; // cancelled or renewed meanwhile
+      }
+      long left = entry.end - scheduler.nanos();
+      if (left > 0 && isScheduledAgain(id, entry, left)) {
+        return; // prolonged meanwhile
       }
       entries.remove(id);
     }
     publishAndRun(entry.holder, entry.onEnd);
+  }
+
+  /** If the expiry of a prolonged lease cannot be scheduled, it ends now: better than never. */
+  private boolean isScheduledAgain(UUID id, LeaseEntry entry, long nanos) {
+    try {
+      entry.expiry = expiryAfter(nanos, id, entry, entry.term);
+      return true;
+    } catch (OutOfMemoryError e) { // the timer has no thread
+      return false;
+    }
   }
 
   /**

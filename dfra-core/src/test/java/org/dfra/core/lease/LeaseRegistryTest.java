@@ -55,6 +55,40 @@ class LeaseRegistryTest {
   }
 
   @Test
+  void aProlongedLeaseEndsTheDefaultDurationAfterTheLastProofThatItsHolderLives() throws Exception {
+    LeaseGrant grant =
+        book.grant(Duration.ofSeconds(10), LeaseRole.CLIENT, null, () -> over.add("it"));
+    for (int i = 0; i < 5; i++) {
+      time.step(Duration.ofSeconds(6));
+      assertThat(book.prolong(grant.id())).isTrue();
+    }
+    assertThat(time.waiting()).as("timers of one lease").isEqualTo(1);
+    assertThat(book.leases().get(0).remaining()).isEqualTo(Duration.ofSeconds(10));
+    time.step(Duration.ofSeconds(10).minusNanos(1));
+    assertThat(book.contains(grant.id())).isTrue();
+    time.step(Duration.ofNanos(1));
+    assertThat(over).containsExactly("it");
+    assertThat(book.prolong(grant.id())).as("a lease that has ended").isFalse();
+    assertThat(time.waiting()).isZero();
+  }
+
+  @Test
+  void prolongingShortensNoLeaseAndWakesNoneThatWasRevoked() throws Exception {
+    LeaseGrant grant =
+        book.grant(Duration.ofSeconds(30), LeaseRole.CLIENT, null, () -> over.add("it"));
+    assertThat(book.prolong(grant.id())).isTrue();
+    time.step(Duration.ofSeconds(29));
+    assertThat(over).isEmpty();
+    assertThat(book.prolong(grant.id())).isTrue();
+    assertThat(book.renew(grant.id(), Duration.ofSeconds(20))).isPresent();
+    time.step(Duration.ofSeconds(19));
+    assertThat(book.contains(grant.id())).isTrue();
+    assertThat(book.revoke(grant.id())).isTrue();
+    assertThat(book.prolong(grant.id())).isFalse();
+    assertThat(over).containsExactly("it");
+  }
+
+  @Test
   void watchersAreNoClients() throws Exception {
     LeaseGrant watching =
         book.grant(Duration.ofSeconds(5), LeaseRole.OBSERVER, null, () -> over.add("watcher"));

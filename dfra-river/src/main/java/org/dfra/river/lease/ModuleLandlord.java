@@ -2,7 +2,6 @@ package org.dfra.river.lease;
 
 import com.sun.jini.landlord.Landlord;
 import com.sun.jini.landlord.LandlordUtil;
-import com.sun.jini.landlord.LeaseFactory;
 import com.sun.jini.landlord.LocalLandlord;
 import java.net.InetAddress;
 import java.rmi.RemoteException;
@@ -28,6 +27,7 @@ import org.dfra.river.access.RemoteCaller;
 import org.dfra.river.callback.ClientAddress;
 import org.dfra.river.callback.PeerQuota;
 import org.dfra.river.remote.LeaseRevokedException;
+import org.dfra.river.remote.ProcessLease;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -45,14 +45,14 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
   private static final PeerQuota.QuotaLimits LIMITS = new PeerQuota.QuotaLimits(256, 1024, 4096);
 
   /** Maximum number of leases that are renewed or cancelled in one call. */
-  private static final int MAX_LEASES_PER_CALL = 1024;
+  static final int MAX_LEASES_PER_CALL = 1024;
 
   private final String module;
   private final LeaseRegistry book;
   private final Exporter exporter;
   private final String host;
   private final PeerQuota quota;
-  private volatile @Nullable LeaseFactory factory;
+  private volatile @Nullable Landlord proxy; // once it is exported
 
   /**
    * @param module the module's path, {@code robot/name}
@@ -97,16 +97,16 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
 
   /** Exports the landlord. Before that it grants nothing. */
   public void start() throws RemoteException {
-    if (factory == null) {
-      factory = new LeaseFactory((Landlord) exporter.export(this), UuidFactory.generate());
+    if (proxy == null) {
+      proxy = (Landlord) exporter.export(this);
     }
   }
 
   /** Stops granting and renewing leases. The registry is unchanged; its owner closes it. */
   @Override
   public void close() {
-    if (factory != null) {
-      factory = null;
+    if (proxy != null) {
+      proxy = null;
       exporter.unexport(true);
     }
   }
@@ -132,7 +132,7 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
    */
   public Lease grant(long duration, LeaseRole holder, Runnable onExpired, Runnable onCancelled)
       throws LeaseRefusedException {
-    @Nullable LeaseFactory open = factory;
+    @Nullable Landlord open = proxy;
     if (open == null) {
       throw new LeaseRefusedException(module + " grants no leases now; it starts or stops");
     }
@@ -141,8 +141,9 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
             ? book.grant(requestedDuration(duration), holder, clientHost(), onExpired, onCancelled)
             : counted(requestedDuration(duration), holder, onExpired, onCancelled);
     UUID id = granted.id();
-    return open.newLease(
+    return new ProcessLease(
         UuidFactory.create(id.getMostSignificantBits(), id.getLeastSignificantBits()),
+        open,
         System.currentTimeMillis() + granted.duration().toMillis());
   }
 
@@ -199,6 +200,12 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
     return millis == Lease.ANY ? book.terms().defaultDuration() : Duration.ofMillis(millis);
   }
 
+  /** Whether a lease is one of this module's, or was until it was revoked. */
+  boolean knows(Uuid cookie) {
+    UUID id = id(cookie);
+    return book.contains(id) || book.isRevoked(id);
+  }
+
   @Override
   public long renew(Uuid cookie, long duration) throws LeaseDeniedException, UnknownLeaseException {
     if (book.isRevoked(id(cookie))) {
@@ -240,7 +247,7 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
    */
   @Override
   public RenewResults renewAll(Uuid[] cookies, long[] durations) {
-    checkCount(cookies);
+    checkCount(module, cookies);
     return LandlordUtil.renewAll(this, cookies, durations);
   }
 
@@ -252,15 +259,15 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
   @Override
   @SuppressWarnings("rawtypes") // as River declares it
   public @Nullable Map cancelAll(Uuid[] cookies) {
-    checkCount(cookies);
+    checkCount(module, cookies);
     return LandlordUtil.cancelAll(this, cookies);
   }
 
   /** Each unknown lease costs an exception with its stack trace, also in the response. */
-  private void checkCount(Uuid[] cookies) {
+  static void checkCount(String grantor, Uuid[] cookies) {
     if (cookies.length > MAX_LEASES_PER_CALL) {
       throw new IllegalArgumentException(
-          module
+          grantor
               + ": "
               + cookies.length
               + " leases in one call > "

@@ -33,6 +33,7 @@ import org.dfra.module.ModuleHistory;
 import org.dfra.module.Parameter;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.lease.ModuleLandlord;
+import org.dfra.river.lease.ProcessLandlord;
 import org.dfra.river.phoenix.ReadinessSource;
 import org.dfra.river.phoenix.StartedObject;
 import org.dfra.river.proxy.LocalModuleRegistry;
@@ -131,7 +132,8 @@ public abstract class ModuleServer<M extends Module>
         new ModuleLandlord(
             path(),
             driver.leases(),
-            Exporters.jeri(activation.host(), DEADLINE_MILLIS),
+            ProcessLandlord.exporterAt(
+                activation.host(), () -> Exporters.jeri(activation.host(), DEADLINE_MILLIS)),
             activation.host());
     this.listeners = new RemoteListenerRegistry(driver, landlord, activation.host());
     undo.push(parts.directorySupplier());

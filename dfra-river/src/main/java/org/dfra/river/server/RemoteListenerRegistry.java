@@ -11,6 +11,7 @@ import org.dfra.core.event.EventHub;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
+import org.dfra.event.delivery.BatchLimits;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.NotReadyException;
 import org.dfra.river.call.CallbackProxies;
@@ -27,16 +28,25 @@ import org.jspecify.annotations.Nullable;
 /**
  * The remote listeners of one module. Each has a lease and an entry in the module's event hub. It
  * loses both when its client closes the subscription, when the lease has expired, when {@value
- * #FAILURES} deliveries in a row have failed, or when it no longer exists.
+ * #FAILURES} calls in a row have failed, or when it no longer exists. A call that succeeds renews
+ * the lease.
  *
- * <p>Each delivery is a call of at most {@link CallbackProxies#DEADLINE}, whatever deadline the
- * listener's proxy has, on the executor of its process. The number of a client's listeners is
- * limited.
+ * <p>Each call delivers what waits in the listener's queue. It takes at most {@link
+ * CallbackProxies#DEADLINE}, whatever deadline the listener's proxy has, on the executor of its
+ * process. The number of a client's listeners is limited.
  */
 final class RemoteListenerRegistry {
 
   /** At a deadline of 2 s each, this is six seconds without an answer. */
   private static final int FAILURES = 3;
+
+  /**
+   * Far below the limits of a call's arguments, of which one event may have nearly all; and so few
+   * that a link on which one event takes long is not asked for many at once.
+   */
+  private static final BatchLimits BATCH =
+      new BatchLimits(
+          RemoteModuleListener.MAX_EVENTS, 32 << 10, CallbackProxies.DEADLINE.dividedBy(8));
 
   private static final PeerQuota.QuotaLimits LIMITS = new PeerQuota.QuotaLimits(128, 512, 1024);
 
@@ -114,13 +124,17 @@ final class RemoteListenerRegistry {
     now.slot = place;
     Runnable gone = () -> remove(now); // also if the client cancels the lease
     Lease lease = landlord.grant(Lease.ANY, ModuleImpl.leaseRole(policy), gone, gone);
-    now.lease = ModuleLandlord.id(lease);
+    UUID id = ModuleLandlord.id(lease);
+    now.lease = id;
     EventHub.ListenerEntry entry =
         driver
             .events()
             .add(
-                CallbackProxies.withDeadline(
-                    remote, RemoteModuleListener.class, CallbackProxies.DEADLINE),
+                new ListenerCalls(
+                    CallbackProxies.withDeadline(
+                        remote, RemoteModuleListener.class, CallbackProxies.DEADLINE),
+                    () -> driver.leases().prolong(id)),
+                BATCH,
                 policy,
                 FAILURES,
                 gone,

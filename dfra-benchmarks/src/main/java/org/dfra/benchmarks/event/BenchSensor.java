@@ -1,4 +1,4 @@
-package org.dfra.benchmarks;
+package org.dfra.benchmarks.event;
 
 import java.time.Instant;
 import java.util.List;
@@ -19,6 +19,9 @@ import org.dfra.river.server.sensor.GPSServer;
 /** A receiver that publishes a fix on request of the benchmark; served like any other receiver. */
 public final class BenchSensor extends SensorImpl implements GPSSensor {
 
+  /** Events per second. */
+  public static final int RATE = 10;
+
   private static final GeoPosition PLACE = new GeoPosition(52, 7, 50);
 
   private static final BlockingQueue<BenchSensor> MADE = new LinkedBlockingQueue<>();
@@ -32,17 +35,22 @@ public final class BenchSensor extends SensorImpl implements GPSSensor {
   }
 
   /** The instance that a server has created by its class name. */
-  static BenchSensor awaitInstance() throws InterruptedException {
+  public static BenchSensor awaitInstance() throws InterruptedException {
     return MADE.take();
   }
 
-  /** Serves an instance in this JVM, as a group would. */
-  static GPSServer serve(String locator) throws Exception {
+  /**
+   * Serves an instance in this JVM, as a group would.
+   *
+   * @param locators of the lookup services that it joins; empty for none
+   * @throws Exception if it cannot be served
+   */
+  public static GPSServer serve(List<String> locators) throws Exception {
     return ModuleServer.started(
         new GPSServer(
             null,
-            BenchRegistrar.activation(
-                "gps", GPSServer.class, GPSProxy.class, BenchSensor.class, locator)));
+            BenchActivation.of(
+                "gps", GPSServer.class, GPSProxy.class, BenchSensor.class, locators)));
   }
 
   @Override
@@ -54,18 +62,23 @@ public final class BenchSensor extends SensorImpl implements GPSSensor {
   protected void onClose() {}
 
   /** Publishes a new fix to all listeners. */
-  void publish() {
+  public void publish() {
     at = Instant.now();
     publish(fix());
   }
 
   @Override
   public double updateRate() {
-    return EventBench.RATE;
+    return RATE;
   }
 
   @Override
   public GpsFix fix() {
+    return fix(at);
+  }
+
+  /** The fix that it publishes at a time. */
+  static GpsFix fix(Instant at) {
     return new GpsFix(GpsFix.Mode.FIX_3D, PLACE, at, 0, 0, 1, 9, 9);
   }
 
