@@ -57,6 +57,7 @@ abstract class PrintedTextRules {
           "org.dfra.benchmarks.call.BusyTask",
           "org.dfra.benchmarks.call.CallClientTask",
           "org.dfra.benchmarks.call.CallServerTask",
+          "org.dfra.benchmarks.start.ComputingTask",
           "org.dfra.benchmarks.task.TaskMain",
           "org.dfra.benchmarks.MicroTask", // likewise
           "org.dfra.cli.archive.ArchivedClasses", // the help of commands, to nobody

@@ -44,6 +44,7 @@ import picocli.CommandLine.Spec;
       "  navigation    robots that search a field, over many seeds (an hour; less with --seeds)",
       "  parsers       the devices' parsers (fifteen seconds)",
       "  recruit       messages between agents, latency of messages and events (three minutes)",
+      "  start         robots' start, recovery and memory, with and without archive (five minutes)",
       "  world         simulated robots with laser scans and images (half a minute)"
     })
 final class BenchCommand implements Callable<Integer> {
@@ -64,6 +65,7 @@ final class BenchCommand implements Callable<Integer> {
     benches.put("navigation", () -> new NavigationBench(seeds, folder("navigation")));
     benches.put("parsers", ParserBench::new);
     benches.put("recruit", () -> new RecruitBench(folder("recruit")));
+    benches.put("start", StartBench::new);
     benches.put("world", WorldBench::new);
   }
 
