@@ -64,7 +64,7 @@ public final class ClassArchive {
   /** Exit codes of a crash: SIGABRT, by which a virtual machine ends, SIGBUS and SIGSEGV. */
   private static final Set<Integer> CRASHES = Set.of(134, 135, 139);
 
-  private static volatile boolean distrusted;
+  static volatile boolean distrusted; // a test resets it
 
   /** Path, identity, size and time of the archive that was read last and is whole. */
   private static volatile String knownWhole = "";

@@ -40,6 +40,7 @@ class ClassArchiveTest {
   @AfterEach
   void forget() {
     System.clearProperty(ClassArchive.COMMANDS);
+    ClassArchive.distrusted = false;
   }
 
   private Path jar(String name) throws IOException {
@@ -151,6 +152,17 @@ class ClassArchiveTest {
     Files.setPosixFilePermissions(archives, PosixFilePermissions.fromString(mode));
     assertThat(ClassArchive.of(options()).orElseThrow().isUsable()).isFalse();
     assertThat(ClassArchive.startOptions(options())).noneMatch(each -> each.contains("robot-"));
+  }
+
+  @Test
+  void isNotUsedAnyMoreAfterACrash() throws Exception {
+    publish();
+    for (int end : List.of(0, 1, 10, 137, 143)) {
+      ClassArchive.recordExit(end);
+    }
+    assertThat(ClassArchive.of(options()).orElseThrow().isUsable()).as("no crash").isTrue();
+    ClassArchive.recordExit(134);
+    assertThat(ClassArchive.of(options()).orElseThrow().isUsable()).isFalse();
   }
 
   @Test
