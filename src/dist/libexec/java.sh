@@ -2,6 +2,7 @@
 # shellcheck shell=sh
 
 home= # of the Java that is used, once it is found
+without_archive= # whether no archive of classes is used
 
 say() { printf 'dfra: %s\n' "$*" >&2; }
 die() { status=$1; shift; say "$@"; exit "$status"; } # 64 usage, 69 something needed is missing, 75 try again
@@ -26,28 +27,26 @@ find_java() { # $1 the command it must have, java or javac; $2 what that makes i
 
 # Options of every Java here. What the virtual machine itself says, of an archive that does not fit say, does not belong into
 # a command's output.
-jvm_options='-XX:TieredStopAtLevel=1 -XX:CompileThresholdScaling=3 -XX:+UseSerialGC -Xshare:auto -Xlog:disable -Xlog:all=error:stderr -Xlog:cds=off -Xlog:cds+dynamic=off'
+jvm_options='-XX:TieredStopAtLevel=1 -XX:CompileThresholdScaling=3 -XX:+UseSerialGC -Xshare:auto -Xlog:disable -Xlog:all=error:stderr -Xlog:cds*=off'
 
-# The archive of classes with which a command starts a quarter faster (decision 052). One for each Java, below the folder with
-# the jars, $1: an archive is code, and a user who can write it there can write the jars too. Useless once another jar is there.
+# The archive of classes with which a command starts a quarter faster (decision 052), one for each Java, for the jars in the
+# folder $1. The archive of robots' processes is beside it (decision 058). It is below the folder with the jars, or in the state
+# folder of a user who cannot write there. An archive is code, so one that another user has written is not used.
 class_archive() {
     full=$(sed -n '/^JAVA_\(RUNTIME_\)\{0,1\}VERSION="/{s/[^"]*"\(.*\)"/\1/p;q;}' "$home/release" 2>/dev/null) || full=
-    echo "$1/archive/${full:-$(java_version "$home")}.jsa"
+    folder=$1/archive
+    [ -w "$1" ] || folder=${DFRA_STATE:-${HOME:-}/.dfra}/archives$1
+    echo "$folder/${full:-$(java_version "$home")}.jsa"
 }
 
-is_usable() { [ -f "$1" ] && [ ! "$2" -nt "$1" ]; } # the archive $1 of the folder $2
+is_usable() { [ -f "$1" ] && [ -O "$1" ] && [ ! "$2" -nt "$1" ]; } # the archive $1 of the folder $2
 
-# Writes that archive, if there is no usable one and it can be written. $1 the folder with the jars, $2 the jar of the boot
-# class path.
+# Writes the archives that are missing, if they can be written. $1 the folder with the jars, $2 the jar of the boot class path.
 archive_classes() {
-    archive=$(class_archive "$1")
-    ! is_usable "$archive" "$1" && [ -w "$1" ] && [ -f "$1/dfra-cli.jar" ] || return 0
-    {
-        mkdir -p "${archive%/*}"
-        # shellcheck disable=SC2086
-        "$home/bin/java" $jvm_options "-Xbootclasspath/a:$2" "-XX:ArchiveClassesAtExit=$archive.$$" -cp "$1/*" \
-            org.dfra.cli.archive.ArchivedClasses && mv -f "$archive.$$" "$archive" || rm -f "$archive.$$"
-    } </dev/null >/dev/null 2>&1
+    [ -f "$1/dfra-cli.jar" ] || return 0
+    # shellcheck disable=SC2086
+    "$home/bin/java" $jvm_options "-Xbootclasspath/a:$2" "-Ddfra.boot-class-path=$2" "-Ddfra.lib=$1" \
+        "-Ddfra.command-archive=$(class_archive "$1")" -cp "$1/*" org.dfra.cli.archive.ArchiveWriter </dev/null >/dev/null 2>&1 || :
 }
 
 # Becomes DFRA. $1 the folder with config, $2 that with the jars, $3 the jar of the boot class path, $4 as what it was
@@ -58,11 +57,24 @@ launch() {
     main=org.dfra.cli.Main boot_property=dfra.boot-class-path name_property=dfra.command
     # The jars that a robot of an earlier DFRA runs from: stop uses them.
     [ -f "$lib/dfra-cli.jar" ] || main=org.dfra.app.Main boot_property=dfra.boot name_property=dfra.called
-    archive=$(class_archive "$lib")
-    is_usable "$archive" "$lib" || archive=
+    archives=$(class_archive "$lib") archive=
+    [ -n "$without_archive" ] || ! is_usable "$archives" "$lib" || archive=$archives
     set -f # DFRA_OPTIONS is not quoted on purpose: options are separated by blanks, and no pattern in them names a file
     # shellcheck disable=SC2086
     exec "$home/bin/java" $jvm_options ${archive:+"-XX:SharedArchiveFile=$archive"} ${DFRA_OPTIONS:-} \
         "-Xbootclasspath/a:$boot" "-Ddfra.root=$root" "-D$boot_property=$boot" "-Ddfra.lib=$lib" "-D$name_property=$called" \
+        "-Ddfra.command-archive=$archives" \
         -cp "$lib/*${DFRA_CLASSPATH:+:$DFRA_CLASSPATH}" "$main" "$@"
+}
+
+# The same, for stop: if the virtual machine crashes, for which an archive may be the reason, it is started again without one.
+launch_surely() {
+    stopped=0
+    (launch "$@") || stopped=$?
+    case $stopped in
+        134 | 135 | 139) # SIGABRT, SIGBUS, SIGSEGV
+            without_archive=true stopped=0
+            (launch "$@") || stopped=$? ;;
+    esac
+    return "$stopped"
 }

@@ -62,6 +62,7 @@ abstract class PrintedTextRules {
           "org.dfra.benchmarks.scale.TeamView",
           "org.dfra.benchmarks.event.EventListenerTask",
           "org.dfra.benchmarks.event.EventServerTask",
+          "org.dfra.benchmarks.start.ComputingTask",
           "org.dfra.benchmarks.task.TaskMain",
           "org.dfra.benchmarks.MicroTask", // likewise
           "org.dfra.cli.archive.ArchivedClasses", // the help of commands, to nobody

@@ -78,7 +78,13 @@ class DistIT {
       assertThat(up.out())
           .contains("Up: atrv1/registrar in group lookup.", "Up: atrv1/gps_front in group gps.")
           .contains("How they are: dfra status");
-      assertThat(installed.living()).as("phoenix and two groups").hasSize(3);
+      await()
+          .atMost(Duration.ofSeconds(150))
+          .untilAsserted(
+              () ->
+                  assertThat(installed.living())
+                      .as("phoenix and two groups; what wrote archives of classes has ended")
+                      .hasSize(3));
       String pid = Files.readString(folder.resolve("state/phoenix.pid")).strip();
       assertThat(up.out()).contains("Started phoenix: process " + pid + ",");
 

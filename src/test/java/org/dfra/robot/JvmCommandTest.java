@@ -54,24 +54,17 @@ class JvmCommandTest {
   }
 
   @Test
-  void aChildUsesTheSameArchiveOfClassesWhetherItFitsOrNot() throws Exception {
-    Path archive = Files.writeString(folder.resolve("classes.jsa"), "no archive");
+  void aChildKnowsWhereArchivesOfClassesAre() throws Exception {
     List<String> command = new ArrayList<>(List.of(JvmCommand.java()));
-    command.add("-XX:SharedArchiveFile=" + archive.getFileName());
-    command.add("-Xlog:cds=off");
-    command.add("-Xlog:cds+dynamic=off");
+    command.add("-Ddfra.command-archive=archives/17.jsa");
     command.addAll(JvmCommand.options());
     command.add(Child.class.getName());
-    List<String> messages = run(command);
-    assertThat(messages.get(0)).as("nothing about the archive").isEqualTo("boot: null");
-    assertThat(messages)
-        .containsSubsequence(
-            "-XX:SharedArchiveFile=" + folder.toRealPath().resolve("classes.jsa"),
-            "-Xlog:cds=off",
-            "-Xlog:cds+dynamic=off",
-            "-cp");
-    command.set(1, "-Xshare:auto");
-    assertThat(run(command)).as("no archive").noneMatch(each -> each.contains("Archive"));
+    assertThat(run(command))
+        .contains(
+            "-Ddfra.command-archive=" + folder.toRealPath().resolve("archives/17.jsa"),
+            "-XX:ArchiveRelocationMode=0");
+    command.set(1, "-ea");
+    assertThat(run(command)).noneMatch(each -> each.contains("command-archive"));
   }
 
   private List<String> run(List<String> command) throws IOException, InterruptedException {

@@ -47,6 +47,7 @@ import picocli.CommandLine.Spec;
       "  parsers       the devices' parsers (fifteen seconds)",
       "  recruit       messages between agents, latency of messages and events (three minutes)",
       "  scale         teams of 2, 10, 30 and 100 robots (twenty minutes; less with --robots)",
+      "  start         robots' start, recovery and memory, with and without archive (five minutes)",
       "  world         simulated robots with laser scans and images (half a minute)"
     })
 final class BenchCommand implements Callable<Integer> {
@@ -68,6 +69,7 @@ final class BenchCommand implements Callable<Integer> {
     benches.put("parsers", ParserBench::new);
     benches.put("recruit", () -> new RecruitBench(folder("recruit")));
     benches.put("scale", () -> new ScaleBench(sizes, folder("scale")));
+    benches.put("start", StartBench::new);
     benches.put("world", WorldBench::new);
   }
 

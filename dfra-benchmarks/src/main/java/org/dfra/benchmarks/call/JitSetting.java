@@ -35,7 +35,7 @@ public enum JitSetting {
   }
 
   /** JVM options in addition to those of robots. */
-  List<String> options() {
+  public List<String> options() {
     return options;
   }
 }

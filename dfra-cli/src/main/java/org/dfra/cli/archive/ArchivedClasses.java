@@ -1,7 +1,5 @@
 package org.dfra.cli.archive;
 
-import java.io.File;
-import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.Writer;
 import java.nio.file.Files;
@@ -9,8 +7,6 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
-import java.util.jar.JarEntry;
-import java.util.jar.JarFile;
 import org.dfra.cli.Main;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;
 import picocli.CommandLine;
@@ -30,7 +26,6 @@ final class ArchivedClasses {
   private static final List<String> JARS =
       List.of("dfra-", "jsk-", "picocli-", "logback-", "slf4j-", "jul-to-slf4j-", "jdom2-");
 
-  private static final String CLASS = ".class";
   private static final String LOOPBACK = "127.0.0.1";
   private static final String GROUP = "dfra-archive"; // no command searches it
   private static final Duration LEASE = Duration.ofMinutes(1);
@@ -39,13 +34,7 @@ final class ArchivedClasses {
 
   /** Needs no arguments. */
   public static void main(String[] args) throws Exception {
-    for (String each : System.getProperty("java.class.path").split(File.pathSeparator, -1)) {
-      Path jar = Path.of(each);
-      String name = String.valueOf(jar.getFileName());
-      if (JARS.stream().anyMatch(name::startsWith) && Files.isRegularFile(jar)) {
-        load(jar);
-      }
-    }
+    LoadedClasses.load(JARS);
     for (String verb : List.of("stop", "status", "module")) {
       execute(verb, "--help");
     }
@@ -74,24 +63,6 @@ final class ArchivedClasses {
           "--wait=1");
     } finally {
       Files.deleteIfExists(state);
-    }
-  }
-
-  private static void load(Path jar) throws IOException {
-    try (JarFile file = new JarFile(jar.toFile())) {
-      file.stream()
-          .map(JarEntry::getName)
-          .filter(name -> name.endsWith(CLASS) && !name.startsWith("META-INF/"))
-          .forEach(name -> load(name.substring(0, name.length() - CLASS.length())));
-    }
-  }
-
-  private static void load(String name) {
-    try {
-      Class<?> unused =
-          Class.forName(name.replace('/', '.'), false, ArchivedClasses.class.getClassLoader());
-    } catch (ClassNotFoundException | LinkageError e) {
-      // It needs a library that is not here, such as one for tests: no command uses it.
     }
   }
 }

@@ -8,6 +8,8 @@ public enum Subject {
   JAVA,
   /** {@code java.rmi.activation} on the boot class path. */
   BOOT_JAR,
+  /** The archive of classes from which robots' processes start. */
+  CLASS_ARCHIVE,
   /** The limit of a process's open files and sockets. */
   FILE_DESCRIPTORS,
   /** The address that this computer's own name resolves to. */

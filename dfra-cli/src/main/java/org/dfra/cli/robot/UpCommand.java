@@ -90,6 +90,7 @@ public final class UpCommand implements Callable<Integer> {
     for (RobotDescription robot : robots) {
       bringUp(new RobotBootstrap(phoenix, robot), robot, phoenix, services);
     }
+    ArchiveStart.startIfNeeded(); // now, since it would delay the robot's start
     if (answer.isJson()) {
       answer.details(services);
     } else {

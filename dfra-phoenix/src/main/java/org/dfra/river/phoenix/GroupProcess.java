@@ -16,6 +16,7 @@ import java.util.Optional;
 import java.util.UUID;
 import java.util.stream.Stream;
 import org.dfra.core.host.PrivateFiles;
+import org.dfra.river.phoenix.host.ClassArchive;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -70,7 +71,11 @@ final class GroupProcess {
     command.add(path != null ? path : ExecPolicy.ownJava());
     command.add(mark(daemon) + group);
     if (environment != null) {
-      command.addAll(List.of(environment.getCommandOptions()));
+      List<String> options = List.of(environment.getCommandOptions());
+      if (path == null || path.equals(ExecPolicy.ownJava())) {
+        command.addAll(archiveOptions(options, configuration.groupOptions()));
+      }
+      command.addAll(options);
     }
     if (desc.getPropertyOverrides() != null) {
       desc.getPropertyOverrides().forEach((name, value) -> command.add("-D" + name + "=" + value));
@@ -80,6 +85,13 @@ final class GroupProcess {
     command.add("-D" + OUTPUT_PROPERTY + "=" + configuration.output(group));
     command.add(GroupVm.class.getName());
     return command;
+  }
+
+  /** Those of this Java; the journal outlives it, so it does not store them. */
+  private static List<String> archiveOptions(List<String> own, List<String> forAll) {
+    List<String> options = new ArrayList<>(own);
+    options.addAll(forAll);
+    return ClassArchive.startOptions(options);
   }
 
   /** Sends a started process its group; the process then continues. */

@@ -1,6 +1,7 @@
 package org.dfra.river.phoenix;
 
 import java.time.Duration;
+import org.dfra.river.phoenix.host.ClassArchive;
 import org.dfra.river.phoenix.restart.CrashHistory.ProcessExit;
 import org.jspecify.annotations.Nullable;
 
@@ -49,7 +50,11 @@ final class ProcessWatcher {
     if (child != null) {
       child
           .onExit()
-          .thenAccept(ended -> owner.onProcessExit(identity, ProcessExit.of(ended.exitValue())));
+          .thenAccept(
+              ended -> {
+                ClassArchive.recordExit(ended.exitValue()); // before its group starts again
+                owner.onProcessExit(identity, ProcessExit.of(ended.exitValue()));
+              });
     } else {
       threads.execute(
           () -> {

@@ -131,7 +131,8 @@ class OutputAndLockTest {
   }
 
   @Test
-  void commandHasTheDescriptorsOptionsThenThePropertiesThenTheDaemonsOptions() throws Exception {
+  void commandHasTheOptionsOfThisJavaThenTheDescriptorsThenThePropertiesThenTheDaemons()
+      throws Exception {
     PhoenixConfiguration configuration =
         PhoenixConfiguration.read(
             new ConfigurationFile(
@@ -155,6 +156,8 @@ class OutputAndLockTest {
         .containsExactly(
             ExecPolicy.ownJava(),
             "-Dorg.dfra.phoenix.group=" + daemon + "/1-gps",
+            "-XX:+UnlockDiagnosticVMOptions",
+            "-XX:ArchiveRelocationMode=0",
             "-Xmx64m",
             "-cp",
             "x",

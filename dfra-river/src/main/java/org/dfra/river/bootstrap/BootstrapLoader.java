@@ -114,7 +114,8 @@ final class BootstrapLoader {
 
   /** The options that the robot's XML does not name. */
   private List<String> launchOptions(GroupDescription group) {
-    List<String> options = new ArrayList<>(JvmCommand.options());
+    List<String> options = new ArrayList<>(JvmCommand.lastingOptions());
+    options.addAll(HeapOptions.of(group.jvmOptions()));
     classes.ifPresent(each -> options.addAll(each.options(group.registrar().isPresent())));
     return options;
   }

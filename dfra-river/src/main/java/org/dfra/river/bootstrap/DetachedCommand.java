@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * missing, for example on macOS, the command and its children ignore these two signals instead. In
  * both cases the process keeps its ID, and SIGTERM ends it.
  */
-final class DetachedCommand {
+public final class DetachedCommand {
 
   private static final List<String> IGNORING =
       List.of("/bin/sh", "-c", "trap '' INT HUP; exec \"$@\"", "sh");
@@ -28,7 +28,7 @@ final class DetachedCommand {
    *
    * @param path the search path for programs, as in PATH; null for none
    */
-  static List<String> prefix(@Nullable String path) {
+  public static List<String> prefix(@Nullable String path) {
     return Stream.of(path == null ? new String[0] : path.split(Pattern.quote(File.pathSeparator)))
         .filter(folder -> !folder.isEmpty())
         .map(folder -> Path.of(folder, "setsid"))

@@ -5,6 +5,7 @@ import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.dfra.core.config.RenamedNames;
@@ -12,6 +13,8 @@ import org.dfra.core.host.CommandName;
 import org.dfra.core.time.RobotTime;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
+import org.dfra.river.phoenix.host.ClassArchive;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Builds the command that starts another virtual machine of DFRA from this one: the same java, the
@@ -22,8 +25,6 @@ public final class JvmCommand {
   /** System property with the value of {@code -Xbootclasspath/a}, if the launcher knows it. */
   static final String BOOT = "dfra.boot-class-path";
 
-  private static final String ARCHIVE = "-XX:SharedArchiveFile=";
-
   private JvmCommand() {}
 
   /** The java command of this virtual machine. */
@@ -33,9 +34,32 @@ public final class JvmCommand {
 
   /**
    * The options that a virtual machine of DFRA needs: paths, trust, time, the name of the command,
-   * fast start.
+   * fast start. Among them are those that only this Java understands.
    */
   public static List<String> options() {
+    List<String> options = lastingOptions();
+    List<String> all = new ArrayList<>(ClassArchive.startOptions(options));
+    @Nullable String archive = System.getProperty(ClassArchive.COMMANDS);
+    if (archive != null && !archive.isBlank()) {
+      all.add("-D" + ClassArchive.COMMANDS + "=" + absolute(archive));
+    }
+    all.addAll(options);
+    return all;
+  }
+
+  /**
+   * The archive of classes for virtual machines with these options, whether it exists or not; empty
+   * if the command that started this one keeps no archives.
+   */
+  public static Optional<ClassArchive> archive() {
+    return ClassArchive.of(lastingOptions());
+  }
+
+  /**
+   * The same, without options of this Java: phoenix stores those of groups, and adds to them what
+   * its own Java understands.
+   */
+  static List<String> lastingOptions() {
     List<String> options = new ArrayList<>(bootOptions());
     options.addAll(TrustedCode.options());
     options.addAll(SerialFilters.options());
@@ -44,8 +68,6 @@ public final class JvmCommand {
     options.add("-XX:TieredStopAtLevel=1");
     options.add("-XX:CompileThresholdScaling=3"); // compilation took a third of the start time
     options.add("-XX:+UseSerialGC");
-    options.add("-Xshare:auto");
-    options.addAll(archiveOptions());
     options.add("-cp");
     options.add(classPath());
     return options;
@@ -60,24 +82,6 @@ public final class JvmCommand {
         .filter(o -> o.startsWith("-Xbootclasspath/a:") || o.startsWith("-javaagent:"))
         .map(o -> o.substring(0, o.indexOf(':') + 1) + absolute(o.substring(o.indexOf(':') + 1)))
         .toList();
-  }
-
-  /**
-   * The archive of classes that this virtual machine was started with: a child has the same jars.
-   * An archive that fits no more is not used, and the virtual machine says nothing about it.
-   */
-  private static List<String> archiveOptions() {
-    List<String> options =
-        new ArrayList<>(
-            ManagementFactory.getRuntimeMXBean().getInputArguments().stream()
-                .filter(o -> o.startsWith(ARCHIVE))
-                .map(o -> ARCHIVE + absolute(o.substring(ARCHIVE.length())))
-                .toList());
-    if (!options.isEmpty()) {
-      options.add("-Xlog:cds=off");
-      options.add("-Xlog:cds+dynamic=off");
-    }
-    return options;
   }
 
   private static String classPath() {

@@ -340,6 +340,7 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
     List<String> command = new ArrayList<>(DetachedCommand.prefix(System.getenv("PATH")));
     command.add(JvmCommand.java());
     command.addAll(JvmCommand.options());
+    command.addAll(HeapOptions.of(List.of()));
     command.add(MAIN);
     String resource = "phoenix.config";
     command.add(PhoenixProcess.class.getResource(resource).toString());

@@ -1,0 +1,44 @@
+package org.dfra.cli.robot;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import org.dfra.river.bootstrap.DetachedCommand;
+import org.dfra.river.bootstrap.JvmCommand;
+
+/** Has the archive of classes written from which robots' processes start. */
+final class ArchiveStart {
+
+  /** By its name, since it needs all commands, and these would need it. */
+  private static final String WRITER = "org.dfra.cli.archive.ArchiveWriter";
+
+  private static final String LIB = "dfra.lib";
+
+  private ArchiveStart() {}
+
+  /**
+   * Starts the program that writes it, if it is missing. It runs in the background with the lowest
+   * priority and outlives this process. Does nothing where no archives are kept.
+   */
+  static void startIfNeeded() {
+    if (JvmCommand.archive().filter(each -> !each.isUsable()).isEmpty()) {
+      return;
+    }
+    List<String> command = new ArrayList<>(DetachedCommand.prefix(System.getenv("PATH")));
+    command.addAll(List.of("/bin/sh", "-c", "nice -n 19 \"$@\" || exec \"$@\"", "sh"));
+    command.add(JvmCommand.java());
+    command.addAll(JvmCommand.options());
+    command.add("-D" + LIB + "=" + System.getProperty(LIB, ""));
+    command.add(WRITER);
+    try {
+      new ProcessBuilder(command)
+          .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+          .redirectError(ProcessBuilder.Redirect.DISCARD)
+          .start()
+          .getOutputStream()
+          .close();
+    } catch (IOException e) {
+      // The robot is up. The next "up" tries again.
+    }
+  }
+}
