@@ -200,12 +200,13 @@ public record ServedModule<S extends ModuleServer<?>>(
 
   /** A copy that joins the lookup service at this locator. */
   public ServedModule<S> joining(String locator) {
+    return joining(List.of(locator));
+  }
+
+  /** A copy that joins the lookup services at these locators. */
+  public ServedModule<S> joining(List<String> locators) {
     return activated(
-        activation.module(),
-        activation.id(),
-        activation.host(),
-        List.of(locator),
-        activation.state());
+        activation.module(), activation.id(), activation.host(), locators, activation.state());
   }
 
   /**
