@@ -129,7 +129,7 @@ final class ScaleBench implements Bench {
 
   private static void report(Report report, int robots, Mutual mutual) {
     String team = robots + " robots, each knowing all: ";
-    report.figure(team + "the last one does after", mutual.complete(), "s");
+    report.figure(team + "a process does after, longest", mutual.complete(), "s");
     report.figure(
         team + "calls of a robot", mutual.robot().calls(), forLargest(robots, MAX_CALLS), "1/s");
     report.figure(team + "traffic of a robot", mutual.robot().bytes(), "B/s");

@@ -114,13 +114,14 @@ public final class Team implements AutoCloseable {
     }
   }
 
-  /** Measures with each robot observing all. Afterwards they still do. */
+  /**
+   * Measures with each robot observing all. They begin to, one process after the other. Afterwards
+   * they still do.
+   */
   public Mutual measureMutual() throws IOException, InterruptedException {
-    for (TeamProcess each : robots) {
-      each.watch(modules(), locators);
-    }
     double complete = 0;
-    for (TeamProcess each : robots) {
+    for (TeamProcess each : robots) { // together, this computer's cores would not suffice
+      each.watch(modules(), locators);
       complete = Math.max(complete, each.awaitComplete());
     }
     progress.accept("Each robot knows all; measuring their traffic …");

@@ -44,7 +44,7 @@ public record TeamResult(int robots, Observed observed, Mutual mutual) {
   /**
    * Each robot knows the team.
    *
-   * @param complete seconds until the last robot knew all modules
+   * @param complete seconds until a process's robots knew all modules, the longest
    * @param robot the mean of the robots' traffic in a second; its threads are those of the
    *     processes divided by the number of robots
    * @param cpu CPU time of all processes in a second, seconds

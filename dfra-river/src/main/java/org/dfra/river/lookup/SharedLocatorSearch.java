@@ -7,11 +7,13 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import net.jini.core.discovery.LookupLocator;
-import org.dfra.river.call.CallThreads;
 import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.discovery.UnicastDiscovery;
 import org.dfra.time.Scheduler;
@@ -24,12 +26,21 @@ import org.slf4j.LoggerFactory;
  * The search at one locator, for all modules and directories of this virtual machine. While each of
  * its users has the lookup service, it has no thread and makes no call.
  *
- * <p>Threads: daemons, {@code dfra-locator-n}, one for an attempt in progress.
+ * <p>Threads: daemons, {@code dfra-locator-n}, one for an attempt in progress, at most {@value
+ * #MOST} for all locators.
  */
 final class SharedLocatorSearch {
 
   private static final Logger LOG = LoggerFactory.getLogger(SharedLocatorSearch.class);
-  private static final ThreadPoolExecutor THREADS = CallThreads.pool("dfra-locator-");
+
+  /**
+   * The largest number of attempts at the same time, for all locators. One that is not answered
+   * takes 2 s: a team of which many are out of reach still tries each of them every few seconds.
+   */
+  static final int MOST = 32;
+
+  private static final int IDLE_SECONDS = 10;
+  private static final ThreadPoolExecutor THREADS = threads();
 
   /** Those with users. */
   @GuardedBy("OPEN")
@@ -73,6 +84,24 @@ final class SharedLocatorSearch {
 
   @GuardedBy("this")
   private boolean complained;
+
+  private static ThreadPoolExecutor threads() {
+    AtomicInteger number = new AtomicInteger();
+    ThreadPoolExecutor threads =
+        new ThreadPoolExecutor(
+            MOST,
+            MOST,
+            IDLE_SECONDS,
+            TimeUnit.SECONDS,
+            new LinkedBlockingQueue<>(),
+            task -> {
+              Thread thread = new Thread(task, "dfra-locator-" + number.incrementAndGet());
+              thread.setDaemon(true);
+              return thread;
+            });
+    threads.allowCoreThreadTimeOut(true);
+    return threads;
+  }
 
   private SharedLocatorSearch(Shareable at) {
     this.at = at;
