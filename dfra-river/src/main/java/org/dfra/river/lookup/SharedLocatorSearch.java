@@ -14,6 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import net.jini.core.discovery.LookupLocator;
+import org.dfra.river.call.CallThreads;
 import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.discovery.UnicastDiscovery;
 import org.dfra.time.Scheduler;
@@ -27,7 +28,7 @@ import org.slf4j.LoggerFactory;
  * its users has the lookup service, it has no thread and makes no call.
  *
  * <p>Threads: daemons, {@code dfra-locator-n}, one for an attempt in progress, at most {@value
- * #MOST} for all locators.
+ * #MOST} for all locators; {@code dfra-found-n} notify.
  */
 final class SharedLocatorSearch {
 
@@ -41,6 +42,9 @@ final class SharedLocatorSearch {
 
   private static final int IDLE_SECONDS = 10;
   private static final ThreadPoolExecutor THREADS = threads();
+
+  /** Notify new users, which do not wait for attempts. */
+  private static final ThreadPoolExecutor NOTIFIERS = CallThreads.pool("dfra-found-");
 
   /** Those with users. */
   @GuardedBy("OPEN")
@@ -145,7 +149,7 @@ final class SharedLocatorSearch {
     } else {
       LocatedRegistrar known = found;
       user.found = known;
-      execute(() -> user.finder.accept(known));
+      execute(() -> user.finder.accept(known), NOTIFIERS);
     }
   }
 
@@ -173,15 +177,15 @@ final class SharedLocatorSearch {
     }
     isSearching = true;
     if (nanos <= 0) {
-      execute(this::search);
+      execute(this::search, THREADS);
     } else {
-      next = Scheduler.system().after(nanos, () -> execute(this::search));
+      next = Scheduler.system().after(nanos, () -> execute(this::search, THREADS));
     }
   }
 
-  private void execute(Runnable task) {
+  private void execute(Runnable task, ThreadPoolExecutor threads) {
     try {
-      THREADS.execute(
+      threads.execute(
           () -> {
             Thread thread = Thread.currentThread();
             thread.setContextClassLoader(at.loader());
@@ -197,7 +201,8 @@ final class SharedLocatorSearch {
           at.host(),
           at.port(),
           e.toString());
-      ScheduledTask unused = Scheduler.system().after(at.retry().toNanos(), () -> execute(task));
+      ScheduledTask unused =
+          Scheduler.system().after(at.retry().toNanos(), () -> execute(task, threads));
     }
   }
 
