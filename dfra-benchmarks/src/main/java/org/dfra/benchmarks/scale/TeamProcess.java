@@ -10,7 +10,7 @@ import org.dfra.benchmarks.task.TaskProcess;
 final class TeamProcess implements AutoCloseable {
 
   private static final Duration PATIENCE = Duration.ofMinutes(20);
-  private static final List<String> OPTIONS = List.of("-Xmx256m");
+  private static final List<String> OPTIONS = List.of("-Xmx1g", "-Xmn64m");
 
   private final TaskProcess process;
 
