@@ -3,18 +3,21 @@ package org.dfra.river.call;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.lang.reflect.Proxy;
+import java.net.BindException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationID;
 import java.rmi.server.ExportException;
+import java.time.Duration;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.export.Exporter;
 import net.jini.id.Uuid;
@@ -75,8 +78,15 @@ class DistributedGcTest {
         .hasMessageEndingWith(
             " uses distributed garbage collection, whose calls no filter checks and no guard"
                 + " authorizes; give BasicJeriExporter false as its third argument, or none");
+    // River's port is free when the thread that accepted connections has noticed that it is closed.
+    await("the port is free again").atMost(Duration.ofSeconds(20)).until(() -> isFree(port));
+  }
+
+  private static boolean isFree(int port) throws IOException {
     try (ServerSocket again = new ServerSocket(port, 1, InetAddress.getByName("127.0.0.1"))) {
-      assertThat(again.isBound()).as("the port is free again").isTrue();
+      return again.isBound();
+    } catch (BindException e) {
+      return false;
     }
   }
 
