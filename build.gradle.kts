@@ -4,12 +4,15 @@ plugins { `java-library` }
 allprojects { apply(plugin = "java-library") }
 
 allprojects {
+    val isApi = name == "dfra-api"
     tasks.withType<JavaCompile>().configureEach {
         options.release.set(17)
         options.encoding = "UTF-8"
         // Else each place that joins strings is linked when it first runs, again in every process that starts.
         options.compilerArgs.addAll(
-            listOf("-Xlint:all,-serial,-removal,-processing,-options", "-parameters", "-XDstringConcat=inline"))
+            listOf("-Xlint:all,-serial,-removal,-processing,-options", "-XDstringConcat=inline"))
+        // Of main sources, only the API's names are printed (./dfra module call).
+        if (isApi || name != "compileJava") options.compilerArgs.add("-parameters")
     }
     // A broken link or bad HTML in a comment is an error; as in pom.xml, not in the comments of tests.
     tasks.named<JavaCompile>("compileJava") { options.compilerArgs.add("-Xdoclint:all,-missing") }

@@ -378,7 +378,7 @@ final class LeaseRenewer implements AutoCloseable {
       failure = e;
     } finally {
       for (DueLease each : together) {
-        each.renewer().conclude(each.lease(), begun, failure(each, failed, failure));
+        each.renewer().tryConclude(each.lease(), begun, failure(each, failed, failure));
       }
     }
   }
@@ -400,6 +400,16 @@ final class LeaseRenewer implements AutoCloseable {
       return ofAll;
     }
     return own instanceof Exception known ? known : new RemoteException("not renewed: " + own);
+  }
+
+  /** As {@link #conclude}; whatever a foreign exception does, the lease is renewed again. */
+  private void tryConclude(Lease held, long begun, @Nullable Exception failure) {
+    try {
+      conclude(held, begun, failure);
+    } catch (RuntimeException e) {
+      LOG.log(Level.WARNING, what + ": the result of a renewal cannot be used", e);
+      scheduleNext();
+    }
   }
 
   /** Takes the result of a call that should have renewed the lease; null if it did. */

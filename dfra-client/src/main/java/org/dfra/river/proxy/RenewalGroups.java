@@ -7,6 +7,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import net.jini.core.lease.Lease;
+import org.dfra.river.remote.ProcessLease;
 
 /**
  * The renewers of this virtual machine, grouped by landlord: the leases of a group can be renewed
@@ -30,10 +31,10 @@ final class RenewalGroups {
     }
   }
 
-  /** Adds a renewer to the group of its lease; only if such leases can be renewed together. */
+  /** Adds a renewer to the group of its lease, if that is a {@link ProcessLease}. */
   synchronized void join(LeaseRenewer renewer, Lease lease) {
-    if (!lease.canBatch(lease)) {
-      return;
+    if (!(lease instanceof ProcessLease)) {
+      return; // others group by an ID that the landlord chooses, and their code is not ours
     }
     for (RenewalGroup each : groups) {
       if (each.first.canBatch(lease)) {

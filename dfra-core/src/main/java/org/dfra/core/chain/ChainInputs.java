@@ -268,6 +268,7 @@ public final class ChainInputs implements AutoCloseable {
           return;
         }
       }
+      old.cut();
       subscriber.execute(
           () -> {
             old.close();

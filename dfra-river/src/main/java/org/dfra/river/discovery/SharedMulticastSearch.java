@@ -8,7 +8,6 @@ import java.net.InetAddress;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collection;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -48,6 +47,9 @@ final class SharedMulticastSearch {
   /** The minimum time between two queries of a lookup service for its groups. */
   private static final Duration BETWEEN_CHECKS = Duration.ofSeconds(5);
 
+  /** Stands for all groups; no group has this name. */
+  private static final String ALL = "*\u0000";
+
   /** Those with users, by what users must have in common. */
   @GuardedBy("OPEN")
   private static final Map<Shareable, SharedMulticastSearch> OPEN = new HashMap<>();
@@ -84,6 +86,10 @@ final class SharedMulticastSearch {
 
   @GuardedBy("this")
   private final List<User> users = new ArrayList<>();
+
+  /** When requests for a group began, nanoseconds of the system. */
+  @GuardedBy("this")
+  private final Map<String, Long> requestedAt = new HashMap<>();
 
   @GuardedBy("this")
   private boolean isBegun;
@@ -153,7 +159,7 @@ final class SharedMulticastSearch {
     try {
       synchronized (this) {
         begin();
-        request(user, user.groups.names());
+        request(user.groups.names());
         users.add(user);
         reportAll(user);
       }
@@ -174,30 +180,41 @@ final class SharedMulticastSearch {
   }
 
   /**
-   * Sends requests for groups.
+   * Sends requests for groups, except for those of which a member is found, or whose requests for
+   * another user are still being sent.
    *
-   * @param wanted null for all. Those that another user searches for are not requested again: the
-   *     members are found already, or announce themselves
+   * @param wanted null for all
    */
   @GuardedBy("this")
-  private void request(User user, String @Nullable [] wanted) throws IOException {
+  private void request(String @Nullable [] wanted) throws IOException {
     if (closed) {
       return;
     }
-    List<User> others = users.stream().filter(each -> each != user).toList();
     if (wanted == null) {
-      if (others.stream().noneMatch(each -> each.groups.names() == null)) {
+      if (isDue(ALL)) {
         requests.begin(List.of());
       }
       return;
     }
-    List<String> missing =
-        Arrays.stream(wanted)
-            .filter(each -> others.stream().noneMatch(one -> one.groups.matchesAny(List.of(each))))
-            .toList();
+    List<FoundRegistrar> known = found.all();
+    List<String> missing = new ArrayList<>();
+    for (String each : wanted) {
+      if (known.stream().noneMatch(one -> one.groups.contains(each)) && isDue(each)) {
+        missing.add(each);
+      }
+    }
     if (!missing.isEmpty()) {
       requests.begin(missing);
     }
+  }
+
+  /** Whether no requests for a group are being sent; then they are from now on. */
+  @GuardedBy("this")
+  private boolean isDue(String group) {
+    long now = System.nanoTime();
+    long round = settings.requestInterval().multipliedBy(settings.requests()).toNanos();
+    requestedAt.values().removeIf(each -> now - each > round);
+    return requestedAt.putIfAbsent(group, now) == null;
   }
 
   private void every(Duration interval, Runnable task) {
@@ -222,7 +239,7 @@ final class SharedMulticastSearch {
   synchronized void addGroups(User user, String[] more) throws IOException {
     List<String> added = user.groups.add(more);
     reportAll(user);
-    request(user, added.toArray(String[]::new));
+    request(added.toArray(String[]::new));
   }
 
   synchronized void setGroups(User user, String @Nullable [] wanted) throws IOException {
@@ -230,7 +247,7 @@ final class SharedMulticastSearch {
     reportAll(user);
     loseUnwanted();
     if (added.isPresent()) {
-      request(user, wanted == null ? null : added.get().toArray(String[]::new));
+      request(wanted == null ? null : added.get().toArray(String[]::new));
     }
   }
 

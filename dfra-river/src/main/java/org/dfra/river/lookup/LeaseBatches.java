@@ -2,6 +2,7 @@ package org.dfra.river.lookup;
 
 import com.google.errorprone.annotations.concurrent.GuardedBy;
 import com.sun.jini.constants.ThrowableConstants;
+import java.lang.reflect.Field;
 import java.rmi.RemoteException;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
@@ -67,6 +68,10 @@ final class LeaseBatches {
     private final Lease lease;
     private final long millis;
     private final Consumer<Exception> givenUp;
+
+    /** What renews it: only leases of the same server are renewed together. */
+    private final @Nullable Object server;
+
     private final @Nullable ClassLoader loader = Thread.currentThread().getContextClassLoader();
     private long end; // nanoseconds of the scheduler, like the next field
     private long due;
@@ -77,7 +82,30 @@ final class LeaseBatches {
       this.lease = lease;
       this.millis = millis;
       this.givenUp = givenUp;
+      this.server = server(lease);
     }
+  }
+
+  /**
+   * The remote reference of a lease of reggie; null for any other, which is renewed alone. Reggie's
+   * leases say that they can be batched if the service IDs of their lookup services are equal. Any
+   * lookup service may claim the ID of another one: then it would get the other's leases, and could
+   * confirm what it does not renew.
+   */
+  private static @Nullable Object server(Lease lease) {
+    for (Class<?> type = lease.getClass(); type != null; type = type.getSuperclass()) {
+      try {
+        Field field = type.getDeclaredField("server");
+        field.setAccessible(true);
+        return field.get(lease);
+      } catch (NoSuchFieldException e) {
+        continue; // perhaps its superclass has it
+      } catch (IllegalAccessException | RuntimeException e) {
+        LOG.debug("A lease is renewed alone, since its server is unknown.", e);
+        return null;
+      }
+    }
+    return null;
   }
 
   /**
@@ -148,7 +176,7 @@ final class LeaseBatches {
           && !each.isBeingRenewed
           && each.due <= latest
           && Objects.equals(each.loader, first.loader)
-          && canBatch(first.lease, each.lease)) {
+          && canBatch(first, each)) {
         batch.add(each);
       }
     }
@@ -162,10 +190,12 @@ final class LeaseBatches {
   }
 
   /** As a lookup service's own code says, which is not to disturb the others. */
-  private static boolean canBatch(Lease one, Lease other) {
+  private static boolean canBatch(RenewedLease one, RenewedLease other) {
     try {
-      return one.canBatch(other);
-    } catch (RuntimeException e) {
+      return one.server != null
+          && one.server.equals(other.server)
+          && one.lease.canBatch(other.lease);
+    } catch (RuntimeException | LinkageError e) {
       LOG.debug("A lease cannot be compared with another one; both are renewed alone.", e);
       return false;
     }
@@ -179,8 +209,20 @@ final class LeaseBatches {
       } else {
         renewTogether(batch);
       }
+    } catch (Error e) { // a lookup service's code cannot be executed, or there is no memory
+      LOG.warn("Registrations could not be renewed and are tried again: {}", e.toString(), e);
     } finally {
       Thread.currentThread().setContextClassLoader(null);
+      repeatUnfinished(batch);
+    }
+  }
+
+  /** If something unexpected ended the call, the leases that it has not concluded are due again. */
+  private synchronized void repeatUnfinished(List<RenewedLease> batch) {
+    for (RenewedLease each : batch) {
+      if (each.isBeingRenewed && all.contains(each)) {
+        after(LONGEST_WAIT, each);
+      }
     }
   }
 
@@ -242,7 +284,11 @@ final class LeaseBatches {
       }
       all.remove(renewed);
     }
-    renewed.givenUp.accept(e);
+    try {
+      renewed.givenUp.accept(e);
+    } catch (RuntimeException failure) { // the others of its batch are concluded all the same
+      LOG.warn("A registration that ended could not be reported: {}", failure.toString(), failure);
+    }
   }
 
   private static boolean mayPass(Exception e) {

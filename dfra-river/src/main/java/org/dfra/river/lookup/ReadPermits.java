@@ -24,12 +24,14 @@ final class ReadPermits {
 
   private record Waiting(Object origin, Runnable onPermit) {}
 
+  private record Held(Object origin, long since) {}
+
   private final int most;
   private final int mostOfOne;
 
-  /** By reader: the address that it reads from. */
+  /** By reader. */
   @GuardedBy("this")
-  private final Map<Object, Object> holders = new HashMap<>();
+  private final Map<Object, Held> holders = new HashMap<>();
 
   /** By reader, in order of arrival. */
   @GuardedBy("this")
@@ -56,7 +58,7 @@ final class ReadPermits {
     }
     if (isFree(origin)) {
       waiting.remove(reader);
-      holders.put(reader, origin);
+      hold(reader, origin);
       return true;
     }
     waiting.putIfAbsent(reader, new Waiting(origin, onPermit));
@@ -66,7 +68,24 @@ final class ReadPermits {
   @GuardedBy("this")
   private boolean isFree(Object origin) {
     return holders.size() < most
-        && holders.values().stream().filter(origin::equals).count() < mostOfOne;
+        && holders.values().stream().filter(each -> each.origin().equals(origin)).count()
+            < mostOfOne;
+  }
+
+  @GuardedBy("this")
+  private void hold(Object reader, Object origin) {
+    holders.put(reader, new Held(origin, System.nanoTime()));
+  }
+
+  /** Gives back a reader's permit if it was granted more than {@code nanos} ago. */
+  void releaseAfter(Object reader, long nanos) {
+    synchronized (this) {
+      Held held = holders.get(reader);
+      if (held == null || System.nanoTime() - held.since() <= nanos) {
+        return;
+      }
+    }
+    release(reader);
   }
 
   /** Gives back a reader's permit, or ends its wait. Does nothing if it has no part in this. */
@@ -90,7 +109,7 @@ final class ReadPermits {
       Map.Entry<Object, Waiting> next = all.next();
       if (isFree(next.getValue().origin())) {
         all.remove();
-        holders.put(next.getKey(), next.getValue().origin());
+        hold(next.getKey(), next.getValue().origin());
         return next.getValue().onPermit();
       }
     }

@@ -72,9 +72,11 @@ final class RegistrarMonitor implements AutoCloseable {
   /** See the class comment. */
   static final int COMPLETE_EVERY = 20;
 
-  private static final ThreadPoolExecutor THREADS = CallThreads.pool("dfra-registrar-");
+  private static final ThreadPoolExecutor THREADS = threads();
 
   private static final int UNKNOWN = -1;
+
+  private static final int IDLE_SECONDS = 5;
 
   private static final long THREAD_RETRY_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
 
@@ -115,7 +117,6 @@ final class RegistrarMonitor implements AutoCloseable {
   private volatile boolean incomplete = true; // an event or item was missed
   private volatile Instant vouched;
   private volatile long busySince; // System.nanoTime of the running call; 0 for none
-  private volatile long readSince; // System.nanoTime of the complete query in progress, or 0
   private volatile boolean silent;
   private final Map<ServiceID, String> faults = new HashMap<>(); // of proxies; by the worker
   private @Nullable RemoteEventListener stub; // by the worker
@@ -152,6 +153,12 @@ final class RegistrarMonitor implements AutoCloseable {
     this.vouched = clock.instant();
   }
 
+  private static ThreadPoolExecutor threads() {
+    ThreadPoolExecutor threads = CallThreads.pool("dfra-registrar-");
+    threads.setKeepAliveTime(IDLE_SECONDS, TimeUnit.SECONDS); // several heartbeats
+    return threads;
+  }
+
   void start() {
     wake();
   }
@@ -167,10 +174,8 @@ final class RegistrarMonitor implements AutoCloseable {
 
   /** Detects a lookup service that does not answer, or takes long to be read. */
   void check(long nanos) {
-    long begun = readSince;
-    if (begun != 0 && nanos - begun > settings.registrarTimeout().toNanos() / 3) {
-      ReadPermits.SHARED.release(this); // the others do not wait longer for it
-    }
+    // The others do not wait longer for it, whatever it does meanwhile.
+    ReadPermits.SHARED.releaseAfter(this, settings.registrarTimeout().toNanos() / 3);
     long since = busySince;
     if (since != 0 && nanos - since > settings.registrarTimeout().toNanos() && !silent) {
       silent = true;
@@ -269,7 +274,9 @@ final class RegistrarMonitor implements AutoCloseable {
     if (closed) {
       cancel();
     }
-    exporter.unexport(true);
+    if (stub != null) {
+      exporter.unexport(true);
+    }
     busySince = 0;
     if (!closed) {
       serviceTable.markOutOfReach(identity, vouched);
@@ -289,15 +296,11 @@ final class RegistrarMonitor implements AutoCloseable {
         beatIfDue();
         return;
       }
-      readSince = Math.max(1, System.nanoTime());
       try {
         reconcile();
       } finally {
-        readSince = 0;
         ReadPermits.SHARED.release(this);
       }
-    } else if (services != UNKNOWN && System.nanoTime() - compareAt > 0) {
-      compare();
     }
     for (ServiceEvent event; !closed && (event = events.poll()) != null; ) {
       take(event);
@@ -308,6 +311,8 @@ final class RegistrarMonitor implements AutoCloseable {
       wake();
     } else if (services == UNKNOWN) {
       services = count(); // with no event waiting that would be counted once more
+    } else if (System.nanoTime() - compareAt > 0) {
+      compare(); // likewise
     }
   }
 

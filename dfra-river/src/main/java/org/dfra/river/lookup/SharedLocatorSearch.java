@@ -149,7 +149,7 @@ final class SharedLocatorSearch {
     } else {
       LocatedRegistrar known = found;
       user.found = known;
-      execute(() -> user.finder.accept(known), NOTIFIERS);
+      execute(() -> notify(user, known), NOTIFIERS);
     }
   }
 
@@ -207,24 +207,44 @@ final class SharedLocatorSearch {
   }
 
   private void search() {
-    @Nullable LocatedRegistrar registrar = look();
+    @Nullable LocatedRegistrar registrar = null;
     List<User> informed = new ArrayList<>();
+    try {
+      registrar = look();
+    } finally {
+      if (registrar == null) {
+        searchAgain(); // also after an error
+      }
+    }
+    if (registrar == null) {
+      return;
+    }
+    LocatedRegistrar fresh = registrar;
     synchronized (this) {
       isSearching = false;
-      if (registrar == null) {
-        searchAfter(at.retry().toNanos());
-        return;
-      }
-      found = registrar;
+      found = fresh;
       foundAt = System.nanoTime();
       for (User each : users) {
-        if (!registrar.equals(each.found)) {
-          each.found = registrar;
+        if (!fresh.equals(each.found)) {
+          each.found = fresh;
           informed.add(each);
         }
       }
     }
-    informed.forEach(each -> each.finder.accept(registrar));
+    informed.forEach(each -> notify(each, fresh));
+  }
+
+  private synchronized void searchAgain() {
+    isSearching = false;
+    searchAfter(at.retry().toNanos());
+  }
+
+  private static void notify(User user, LocatedRegistrar found) {
+    try {
+      user.finder.accept(found);
+    } catch (RuntimeException e) { // the other users are informed all the same
+      LOG.warn("A lookup service that was found could not be used: {}", e.toString(), e);
+    }
   }
 
   private @Nullable LocatedRegistrar look() {

@@ -36,17 +36,20 @@ class LeaseBatchesTest {
   private final BlockingQueue<Integer> calls = new LinkedBlockingQueue<>();
 
   private volatile @Nullable RemoteException failure;
+  private volatile @Nullable Error error;
 
   /** A lease of one of several grantors. */
   private final class BatchedLease implements Lease {
     private final String name;
-    private final String grantor;
+    private final String grantor; // its service ID, which others may copy
+    private final String server;
     private volatile long expiration = System.currentTimeMillis() + LEASE;
     private volatile boolean isKnown = true;
 
-    BatchedLease(String name, String grantor) {
+    BatchedLease(String name, String grantor, String server) {
       this.name = name;
       this.grantor = grantor;
+      this.server = server;
     }
 
     @Override
@@ -96,6 +99,10 @@ class LeaseBatchesTest {
   }
 
   private void failIfAsked() throws RemoteException {
+    Error unexpected = error;
+    if (unexpected != null) {
+      throw unexpected;
+    }
     RemoteException reason = failure;
     if (reason != null) {
       throw reason;
@@ -139,7 +146,11 @@ class LeaseBatchesTest {
   }
 
   private BatchedLease add(String name, String grantor) {
-    BatchedLease lease = new BatchedLease(name, grantor);
+    return add(name, grantor, "server of " + grantor);
+  }
+
+  private BatchedLease add(String name, String grantor, String server) {
+    BatchedLease lease = new BatchedLease(name, grantor, server);
     var unused = batches.add(lease, LEASE, e -> givenUp.add(name + ": " + e.getMessage()));
     return lease;
   }
@@ -169,6 +180,31 @@ class LeaseBatchesTest {
     awaitTimed(31);
     time.pass(Duration.ofSeconds(7));
     assertThat(call()).as("in the next round").isEqualTo(30);
+  }
+
+  @Test
+  void noneIsSentToAStrangerThatCopiesAServiceId() throws Exception {
+    BatchedLease honest = add("honest", "one", "robot");
+    BatchedLease copy = add("copy", "one", "stranger");
+    assertThat(honest.canBatch(copy)).as("as reggie's leases say").isTrue();
+    assertThat(honest.server).isNotEqualTo(copy.server);
+    time.pass(Duration.ofSeconds(10));
+    assertThat(List.of(call(), call())).as("leases in each call").containsExactly(1, 1);
+  }
+
+  @Test
+  void anErrorEndsNoRenewal() throws Exception {
+    add("a", "one");
+    add("b", "one");
+    error = new LinkageError("a class is missing");
+    time.pass(Duration.ofSeconds(10));
+    assertThat(call()).isEqualTo(2);
+    awaitTimed(2);
+    error = null;
+    time.pass(Duration.ofSeconds(2));
+    assertThat(call()).as("tried again").isEqualTo(2);
+    awaitTimed(2);
+    assertThat(givenUp).isEmpty();
   }
 
   @Test
@@ -211,7 +247,8 @@ class LeaseBatchesTest {
   void whatIsRemovedIsNotRenewed() throws Exception {
     add("a", "one");
     batches.remove(
-        batches.add(new BatchedLease("b", "one"), LEASE, e -> givenUp.add(e.toString())));
+        batches.add(
+            new BatchedLease("b", "one", "a server"), LEASE, e -> givenUp.add(e.toString())));
     time.pass(Duration.ofSeconds(10));
     assertThat(call()).isEqualTo(1);
   }
