@@ -12,15 +12,19 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.UUID;
-import net.jini.core.lookup.ServiceRegistrar;
-import net.jini.core.lookup.ServiceTemplate;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import org.dfra.benchmarks.task.Task;
 import org.dfra.core.config.ModuleDescription;
 import org.dfra.core.config.Parameters;
 import org.dfra.core.config.SourceLocation;
+import org.dfra.directory.DirectoryRegistration;
+import org.dfra.directory.ModuleQuery;
+import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
+import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.proxy.sensor.GPSProxy;
 import org.dfra.river.server.ModuleActivation;
 import org.dfra.river.server.ModuleServer;
@@ -85,7 +89,7 @@ public final class RobotTask implements Task {
     for (int i = 0; i < modules; i++) {
       servers.add(serve(robot, "module" + i, joined));
     }
-    awaitListed(registrar.registrar(), modules);
+    awaitListed(registrar.locator(), modules);
     return registrar.locator();
   }
 
@@ -109,15 +113,17 @@ public final class RobotTask implements Task {
                 new ModuleActivation(description, UUID.randomUUID(), HOST, List.of(), locators))));
   }
 
-  private static void awaitListed(ServiceRegistrar registrar, int modules)
+  private static void awaitListed(String locator, int modules)
       throws IOException, InterruptedException {
-    ServiceTemplate all = new ServiceTemplate(null, null, null);
-    long end = System.nanoTime() + PATIENCE.toNanos();
-    while (registrar.lookup(all, 0).totalMatches <= modules) { // it lists itself too
-      if (System.nanoTime() > end) {
-        throw new IOException("a lookup service does not list its robot's modules");
+    CountDownLatch listed = new CountDownLatch(modules);
+    try (JiniModuleDirectory directory =
+            new JiniModuleDirectory(HOST, List.of(), List.of(locator));
+        DirectoryRegistration watch =
+            directory.listen(ModuleQuery.of(GPSSensor.class), each -> listed.countDown())) {
+      if (!listed.await(PATIENCE.toSeconds(), TimeUnit.SECONDS)) {
+        throw new IOException(
+            listed.getCount() + " modules of a robot are not listed at " + locator + ": " + watch);
       }
-      Thread.sleep(50);
     }
   }
 

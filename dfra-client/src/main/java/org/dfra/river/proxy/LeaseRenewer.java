@@ -8,7 +8,6 @@ import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
@@ -16,12 +15,11 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import net.jini.core.lease.Lease;
 import net.jini.core.lease.LeaseException;
-import net.jini.core.lease.LeaseMap;
-import net.jini.core.lease.LeaseMapException;
 import net.jini.core.lease.UnknownLeaseException;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.river.call.CallThreads;
 import org.dfra.river.call.ConnectionRefusal;
+import org.dfra.river.proxy.JointRenewal.DueLease;
 import org.dfra.river.remote.LeaseRevokedException;
 import org.dfra.time.Scheduler;
 import org.dfra.time.Scheduler.ScheduledTask;
@@ -184,6 +182,17 @@ final class LeaseRenewer implements AutoCloseable {
     return TimeUnit.MILLISECONDS.toNanos(duration > 0 ? Math.min(granted, duration) : granted);
   }
 
+  /**
+   * The first lease was requested at this time, of the scheduler. The server counts its duration
+   * from some time after that, so nobody here takes it for longer than the server does.
+   *
+   * @return this
+   */
+  synchronized LeaseRenewer requestedAt(long asked) {
+    end = Math.min(end, asked + leastGranted);
+    return this;
+  }
+
   /** Starts to maintain the lease. */
   synchronized void start() {
     if (!closed) {
@@ -343,11 +352,8 @@ final class LeaseRenewer implements AutoCloseable {
         together.add(claimed);
       }
     }
-    renew(together);
+    JointRenewal.renew(together, scheduler);
   }
-
-  /** A lease that one call renews, perhaps with others; nobody else checks it meanwhile. */
-  private record DueLease(LeaseRenewer renewer, Lease lease, long duration) {}
 
   /** Gives the lease to a call of another renewer, if it is due soon; null if it is not. */
   private synchronized @Nullable DueLease claim() {
@@ -359,51 +365,8 @@ final class LeaseRenewer implements AutoCloseable {
     return new DueLease(this, lease, duration);
   }
 
-  private static void renew(List<DueLease> together) {
-    DueLease first = together.get(0);
-    long begun = first.renewer().scheduler.nanos();
-    Map<?, ?> failed = Map.of();
-    @Nullable Exception failure = new RemoteException("an error ended the renewal");
-    try {
-      if (together.size() == 1) {
-        first.lease().renew(first.duration());
-      } else {
-        renewAll(together);
-      }
-      failure = null;
-    } catch (LeaseMapException e) {
-      failed = e.exceptionMap;
-      failure = null;
-    } catch (LeaseException | RemoteException | RuntimeException e) {
-      failure = e;
-    } finally {
-      for (DueLease each : together) {
-        each.renewer().tryConclude(each.lease(), begun, failure(each, failed, failure));
-      }
-    }
-  }
-
-  @SuppressWarnings("unchecked") // as River declares it
-  private static void renewAll(List<DueLease> together) throws LeaseMapException, RemoteException {
-    DueLease first = together.get(0);
-    LeaseMap map = first.lease().createLeaseMap(first.duration());
-    for (DueLease each : together.subList(1, together.size())) {
-      map.put(each.lease(), each.duration());
-    }
-    map.renewAll();
-  }
-
-  private static @Nullable Exception failure(
-      DueLease lease, Map<?, ?> failed, @Nullable Exception ofAll) {
-    @Nullable Object own = failed.get(lease.lease());
-    if (own == null) {
-      return ofAll;
-    }
-    return own instanceof Exception known ? known : new RemoteException("not renewed: " + own);
-  }
-
   /** As {@link #conclude}; whatever a foreign exception does, the lease is renewed again. */
-  private void tryConclude(Lease held, long begun, @Nullable Exception failure) {
+  void tryConclude(Lease held, long begun, @Nullable Exception failure) {
     try {
       conclude(held, begun, failure);
     } catch (RuntimeException e) {

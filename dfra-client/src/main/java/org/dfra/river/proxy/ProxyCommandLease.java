@@ -27,12 +27,17 @@ public final class ProxyCommandLease implements CommandLease {
     this.key = key;
   }
 
-  /** Starts to renew a lease; if it is lost, requests no other. */
+  /**
+   * Starts to renew a lease; if it is lost, requests no other.
+   *
+   * @param asked when it was requested, nanoseconds of {@link Scheduler#system}
+   */
   public static CommandLease startRenewing(
-      String path, GrantedCommandLease given, Duration duration) {
+      String path, GrantedCommandLease given, Duration duration, long asked) {
     LeaseRenewer renewer =
         new LeaseRenewer(
-            "command of " + path, duration.toMillis(), given.lease(), Scheduler.system());
+                "command of " + path, duration.toMillis(), given.lease(), Scheduler.system())
+            .requestedAt(asked);
     renewer.start();
     return new ProxyCommandLease(renewer, given.key());
   }

@@ -22,6 +22,7 @@ final class ProxyLease implements ModuleLease {
   /** Requests a lease, and maintains it. */
   static ProxyLease open(String path, RemoteModule server, Duration duration)
       throws LeaseRefusedException, RemoteException {
+    long asked = Scheduler.system().nanos();
     Lease first = register(server, duration);
     LeaseRenewer renewer =
         new LeaseRenewer(
@@ -30,7 +31,7 @@ final class ProxyLease implements ModuleLease {
             duration.toMillis(),
             first,
             Scheduler.system());
-    renewer.start();
+    renewer.requestedAt(asked).start();
     return new ProxyLease(renewer);
   }
 

@@ -93,14 +93,16 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
     ModuleListener stub = (ModuleListener) exporter.export(this);
     OPEN.add(this);
     try {
+      long asked = Scheduler.system().nanos();
       GrantedSubscription first = registerFirst(server, stub, policy);
       renewer =
           new LeaseRenewer(
-              "subscription to " + path,
-              () -> register(server, stub, policy).lease(),
-              Lease.ANY,
-              first.lease(),
-              Scheduler.system());
+                  "subscription to " + path,
+                  () -> register(server, stub, policy).lease(),
+                  Lease.ANY,
+                  first.lease(),
+                  Scheduler.system())
+              .requestedAt(asked);
     } catch (RemoteException | RuntimeException e) {
       unexport();
       throw e;

@@ -58,6 +58,22 @@ class LeaseRenewerTest {
   }
 
   @Test
+  void theFirstLeaseCountsFromItsRequestHoweverLateTheAnswerCame() {
+    lease.failsBy(new RemoteException("no way there"));
+    long asked = time.nanos();
+    time.pass(Duration.ofMillis(1900)); // until the answer
+    LeaseRenewer late =
+        new LeaseRenewer("command of r/drive", LEASE.toMillis(), lease, time, Runnable::run)
+            .requestedAt(asked);
+    late.start();
+    time.pass(Duration.ofMillis(8000));
+    assertThat(late.isLive()).as("9.9 s after the request").isTrue();
+    time.pass(Duration.ofMillis(200));
+    assertThat(late.isLive()).as("10.1 s after the request").isFalse();
+    late.close();
+  }
+
+  @Test
   void renewsAgainAfterThereWasNoThreadForIt() throws Exception {
     AtomicInteger missing = new AtomicInteger(2);
     Executor callers =

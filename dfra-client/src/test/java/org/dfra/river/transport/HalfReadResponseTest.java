@@ -101,10 +101,6 @@ class HalfReadResponseTest {
         });
   }
 
-  private static Peer get(Future<Peer> peer) throws Exception {
-    return peer.get(30, TimeUnit.SECONDS);
-  }
-
   private OutboundRequest send() throws IOException {
     OutboundRequest request = endpoint.newRequest(InvocationConstraints.EMPTY).next();
     try (OutputStream out = request.getRequestOutputStream()) {
@@ -113,12 +109,23 @@ class HalfReadResponseTest {
     return request;
   }
 
+  /** A call, and the server's end of its connection. */
+  private record Call(OutboundRequest request, Peer peer) {}
+
+  /** Begins a call on a new connection; the server has received its request. */
+  private Call begin() throws Exception {
+    Future<Peer> accepted = accept();
+    OutboundRequest request = send();
+    Peer peer = accepted.get(30, TimeUnit.SECONDS);
+    peer.awaitRequest();
+    return new Call(request, peer);
+  }
+
   /** Whether a call, on whatever connection, gets its own response. */
   private void assertNextCallHasItsOwnConnection() throws Exception {
-    Future<Peer> next = accept();
-    OutboundRequest request = send();
-    Peer peer = get(next);
-    peer.awaitRequest();
+    Call call = begin();
+    OutboundRequest request = call.request();
+    Peer peer = call.peer();
     peer.send(Block.Kind.END, 2, (byte) 8, (byte) 9);
     try (InputStream in = request.getResponseInputStream()) {
       assertThat(in.readAllBytes()).containsExactly(8, 9);
@@ -127,10 +134,9 @@ class HalfReadResponseTest {
 
   @Test
   void whoClosesAResponseThatIsNotReceivedClosesItsConnection() throws Exception {
-    Future<Peer> first = accept();
-    OutboundRequest request = send();
-    Peer peer = get(first);
-    peer.awaitRequest();
+    Call call = begin();
+    OutboundRequest request = call.request();
+    Peer peer = call.peer();
     peer.send(Block.Kind.PART, 4, (byte) 1, (byte) 2, (byte) 3, (byte) 4);
     InputStream in = request.getResponseInputStream();
     assertThat(in.read()).isEqualTo(1);
@@ -143,10 +149,9 @@ class HalfReadResponseTest {
   /** Nothing of it can be taken for the next response. */
   @Test
   void whoClosesAResponseThatIsReceivedMayKeepItsConnection() throws Exception {
-    Future<Peer> first = accept();
-    OutboundRequest request = send();
-    Peer peer = get(first);
-    peer.awaitRequest();
+    Call call = begin();
+    OutboundRequest request = call.request();
+    Peer peer = call.peer();
     peer.send(Block.Kind.END, 4, (byte) 1, (byte) 2, (byte) 3, (byte) 4);
     InputStream in = request.getResponseInputStream();
     assertThat(in.read()).isEqualTo(1);
@@ -160,10 +165,9 @@ class HalfReadResponseTest {
   /** A server of another mind; what follows would be read as the response of the next call. */
   @Test
   void whatFollowsAResponseEndsItsConnection() throws Exception {
-    Future<Peer> first = accept();
-    OutboundRequest request = send();
-    Peer peer = get(first);
-    peer.awaitRequest();
+    Call call = begin();
+    OutboundRequest request = call.request();
+    Peer peer = call.peer();
     peer.out.write(new byte[] {1, 0, 0, 1, 5, 1, 0, 0, 1, 66}); // two responses
     assertThat(request.getResponseInputStream().readAllBytes()).containsExactly(5);
     peer.assertClosedByClient();
@@ -173,10 +177,9 @@ class HalfReadResponseTest {
   @Test
   void aServerThatEndsInTheMiddleOfABlockOrBetweenTwoIsReportedAtOnce() throws Exception {
     for (int announced : new int[] {2, 100}) {
-      Future<Peer> first = accept();
-      OutboundRequest request = send();
-      Peer peer = get(first);
-      peer.awaitRequest();
+      Call call = begin();
+      OutboundRequest request = call.request();
+      Peer peer = call.peer();
       peer.send(Block.Kind.PART, announced, (byte) 1, (byte) 2);
       peer.socket.close();
       InputStream in = request.getResponseInputStream();
@@ -193,10 +196,9 @@ class HalfReadResponseTest {
 
   @Test
   void aCallIsAbandonedInTheMiddleOfItsResponse() throws Exception {
-    Future<Peer> first = accept();
-    OutboundRequest request = send();
-    Peer peer = get(first);
-    peer.awaitRequest();
+    Call call = begin();
+    OutboundRequest request = call.request();
+    Peer peer = call.peer();
     peer.send(Block.Kind.PART, 100, (byte) 1);
     InputStream in = request.getResponseInputStream();
     assertThat(in.read()).isEqualTo(1);
@@ -213,10 +215,9 @@ class HalfReadResponseTest {
   /** Half a response is one that the server has begun: it must not say that nothing was run. */
   @Test
   void aServerThatAnnouncesTheEndInTheMiddleOfAResponseHasNotRefusedTheCall() throws Exception {
-    Future<Peer> first = accept();
-    OutboundRequest request = send();
-    Peer peer = get(first);
-    peer.awaitRequest();
+    Call call = begin();
+    OutboundRequest request = call.request();
+    Peer peer = call.peer();
     peer.send(Block.Kind.PART, 1, (byte) 1);
     peer.send(Block.Kind.CLOSING, 0);
     InputStream in = request.getResponseInputStream();

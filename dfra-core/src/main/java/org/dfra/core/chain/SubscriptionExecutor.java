@@ -1,9 +1,8 @@
 package org.dfra.core.chain;
 
-import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicInteger;
+import org.dfra.core.time.BoundedThreads;
 import org.dfra.time.Scheduler;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -24,30 +23,13 @@ final class SubscriptionExecutor {
 
   private static final int IDLE_SECONDS = 10;
   private static final long RETRY_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
-  private static final ThreadPoolExecutor THREADS = threads();
+  private static final ThreadPoolExecutor THREADS =
+      BoundedThreads.create("dfra-subscribe-", MOST, IDLE_SECONDS);
 
   private final Scheduler scheduler;
 
   SubscriptionExecutor(Scheduler scheduler) {
     this.scheduler = scheduler;
-  }
-
-  private static ThreadPoolExecutor threads() {
-    AtomicInteger number = new AtomicInteger();
-    ThreadPoolExecutor threads =
-        new ThreadPoolExecutor(
-            MOST,
-            MOST,
-            IDLE_SECONDS,
-            TimeUnit.SECONDS,
-            new LinkedBlockingQueue<>(),
-            task -> {
-              Thread thread = new Thread(task, "dfra-subscribe-" + number.incrementAndGet());
-              thread.setDaemon(true);
-              return thread;
-            });
-    threads.allowCoreThreadTimeOut(true);
-    return threads;
   }
 
   /** Runs a task soon, with the context class loader of this call. */

@@ -1,6 +1,5 @@
 package org.dfra.river.lookup;
 
-import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.rmi.MarshalledObject;
 import java.rmi.RemoteException;
@@ -14,7 +13,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
@@ -36,8 +34,6 @@ import org.dfra.river.call.CallThreads;
 import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.entry.ModuleEntry;
 import org.dfra.river.loading.LoadingFaults;
-import org.dfra.time.Scheduler;
-import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -78,8 +74,6 @@ final class RegistrarMonitor implements AutoCloseable {
 
   private static final int IDLE_SECONDS = 5;
 
-  private static final long THREAD_RETRY_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
-
   private final LocatedRegistrar identity;
   private final ServiceRegistrar registrar; // the same, for calls
   private final ServiceTable serviceTable;
@@ -89,30 +83,11 @@ final class RegistrarMonitor implements AutoCloseable {
   private final Runnable reader;
   private final Consumer<RegistrarMonitor> end;
   private final BlockingQueue<ServiceEvent> events = new LinkedBlockingQueue<>(LONGEST_QUEUE);
-  private final @Nullable ClassLoader loader = Thread.currentThread().getContextClassLoader();
 
   /** A strong reference, since JERI holds what it exports weakly. */
   private final ServiceEventListener listener = new ServiceEventListener();
 
-  /** The thread that works now. */
-  @GuardedBy("this")
-  private @Nullable Thread worker;
-
-  /** Whether there is something to do once more. */
-  @GuardedBy("this")
-  private boolean isWoken;
-
-  /** Whether a thread works, or will. */
-  @GuardedBy("this")
-  private boolean isStarted;
-
-  @GuardedBy("this")
-  private boolean isEnded;
-
-  @GuardedBy("this")
-  private @Nullable ScheduledTask heartbeat;
-
-  private volatile boolean closed;
+  private final PooledWorker worker;
   private volatile boolean read; // complete, at least once
   private volatile boolean incomplete = true; // an event or item was missed
   private volatile Instant vouched;
@@ -151,6 +126,7 @@ final class RegistrarMonitor implements AutoCloseable {
     this.reader = reader;
     this.end = end;
     this.vouched = clock.instant();
+    this.worker = new PooledWorker(identity, THREADS, new MonitorWork());
   }
 
   private static ThreadPoolExecutor threads() {
@@ -160,7 +136,7 @@ final class RegistrarMonitor implements AutoCloseable {
   }
 
   void start() {
-    wake();
+    worker.wake();
   }
 
   LocatedRegistrar registrar() {
@@ -184,91 +160,10 @@ final class RegistrarMonitor implements AutoCloseable {
     }
   }
 
-  /** Makes a thread do what there is to do. */
-  private void wake() {
-    synchronized (this) {
-      if (isEnded) {
-        return;
-      }
-      isWoken = true;
-      if (isStarted) {
-        return;
-      }
-      isStarted = true;
-    }
-    try {
-      THREADS.execute(this::work);
-    } catch (RejectedExecutionException | OutOfMemoryError e) { // no further thread
-      LOG.warn("Lookup service {} cannot be called now; this is tried again: {}", identity, e);
-      synchronized (this) {
-        isStarted = false;
-        heartbeat = Scheduler.system().after(THREAD_RETRY_NANOS, this::wake);
-      }
-    }
-  }
-
-  private void work() {
-    synchronized (this) {
-      worker = Thread.currentThread();
-    }
-    Thread.currentThread().setContextClassLoader(loader);
-    boolean isOver = false;
-    try {
-      while (isWork() && !closed) {
-        step();
-      }
-      isOver = closed;
-    } catch (IOException | RuntimeException e) {
-      isOver = true;
-      if (!closed) {
-        LOG.info("Lookup service {} is out of reach: {}", identity, e.toString());
-      }
-    } catch (Error e) {
-      isOver = true;
-      throw e;
-    } finally {
-      Thread.currentThread().setContextClassLoader(null);
-      leave();
-      if (isOver) {
-        end();
-      }
-    }
-  }
-
-  /** Whether it was woken once more; otherwise the thread leaves, and the next heartbeat wakes. */
-  private synchronized boolean isWork() {
-    if (isWoken) {
-      isWoken = false;
-      return true;
-    }
-    isStarted = false;
-    worker = null;
-    if (heartbeat != null) {
-      heartbeat.cancel();
-    }
-    heartbeat =
-        Scheduler.system()
-            .after(settings.heartbeatInterval().minus(age(beaten)).toNanos(), this::wake);
-    return false;
-  }
-
-  /** The thread does something else from now on, and is not to be interrupted. */
-  private synchronized void leave() {
-    if (worker == Thread.currentThread()) {
-      worker = null;
-    }
-    boolean unused = Thread.interrupted(); // by close
-  }
-
-  private void end() {
-    synchronized (this) {
-      if (isEnded) {
-        return;
-      }
-      isEnded = true;
-      if (heartbeat != null) {
-        heartbeat.cancel();
-      }
+  private void end(@Nullable Exception failure) {
+    boolean closed = worker.isClosed();
+    if (failure != null && !closed) {
+      LOG.info("Lookup service {} is out of reach: {}", identity, failure.toString());
     }
     ReadPermits.SHARED.release(this);
     if (closed) {
@@ -292,7 +187,7 @@ final class RegistrarMonitor implements AutoCloseable {
       register(stub);
     }
     if (incomplete) {
-      if (!ReadPermits.SHARED.acquire(this, identity.address(), this::wake)) {
+      if (!ReadPermits.SHARED.acquire(this, identity.address(), worker::wake)) {
         beatIfDue();
         return;
       }
@@ -302,13 +197,13 @@ final class RegistrarMonitor implements AutoCloseable {
         ReadPermits.SHARED.release(this);
       }
     }
-    for (ServiceEvent event; !closed && (event = events.poll()) != null; ) {
+    for (ServiceEvent event; !worker.isClosed() && (event = events.poll()) != null; ) {
       take(event);
       beatIfDue();
     }
     beatIfDue();
     if (incomplete || registration == null) {
-      wake();
+      worker.wake();
     } else if (services == UNKNOWN) {
       services = count(); // with no event waiting that would be counted once more
     } else if (System.nanoTime() - compareAt > 0) {
@@ -397,14 +292,14 @@ final class RegistrarMonitor implements AutoCloseable {
   private void compare() throws RemoteException {
     if (++comparisons % COMPLETE_EVERY == 0) {
       incomplete = true;
-      wake();
+      worker.wake();
       return;
     }
     boolean isOther = count() != services;
     if (isOther && isOtherCount) {
       LOG.debug("Events of {} were lost: everything is read.", identity);
       incomplete = true;
-      wake();
+      worker.wake();
       return;
     }
     isOtherCount = isOther;
@@ -551,13 +446,26 @@ final class RegistrarMonitor implements AutoCloseable {
   /** Closes the monitor without waiting for a running call. */
   @Override
   public void close() {
-    closed = true;
-    synchronized (this) {
-      if (worker != null) {
-        worker.interrupt();
-      }
+    worker.close(); // which cancels the registration for events
+  }
+
+  /** What the worker does. */
+  private final class MonitorWork implements PooledWorker.Work {
+
+    @Override
+    public void step() throws IOException {
+      RegistrarMonitor.this.step();
     }
-    wake(); // to cancel the registration for events
+
+    @Override
+    public long nanosUntilNext() {
+      return settings.heartbeatInterval().minus(age(beaten)).toNanos();
+    }
+
+    @Override
+    public void end(@Nullable Exception failure) {
+      RegistrarMonitor.this.end(failure);
+    }
   }
 
   /** Queues the lookup service's events; never blocks it. */
@@ -568,7 +476,7 @@ final class RegistrarMonitor implements AutoCloseable {
         if (!events.offer(service)) {
           incomplete = true;
         }
-        wake();
+        worker.wake();
       }
     }
   }

@@ -7,13 +7,11 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import net.jini.core.discovery.LookupLocator;
+import org.dfra.core.time.BoundedThreads;
 import org.dfra.river.call.CallThreads;
 import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.discovery.UnicastDiscovery;
@@ -41,7 +39,8 @@ final class SharedLocatorSearch {
   static final int MOST = 32;
 
   private static final int IDLE_SECONDS = 10;
-  private static final ThreadPoolExecutor THREADS = threads();
+  private static final ThreadPoolExecutor THREADS =
+      BoundedThreads.create("dfra-locator-", MOST, IDLE_SECONDS);
 
   /** Notify new users, which do not wait for attempts. */
   private static final ThreadPoolExecutor NOTIFIERS = CallThreads.pool("dfra-found-");
@@ -88,24 +87,6 @@ final class SharedLocatorSearch {
 
   @GuardedBy("this")
   private boolean complained;
-
-  private static ThreadPoolExecutor threads() {
-    AtomicInteger number = new AtomicInteger();
-    ThreadPoolExecutor threads =
-        new ThreadPoolExecutor(
-            MOST,
-            MOST,
-            IDLE_SECONDS,
-            TimeUnit.SECONDS,
-            new LinkedBlockingQueue<>(),
-            task -> {
-              Thread thread = new Thread(task, "dfra-locator-" + number.incrementAndGet());
-              thread.setDaemon(true);
-              return thread;
-            });
-    threads.allowCoreThreadTimeOut(true);
-    return threads;
-  }
 
   private SharedLocatorSearch(Shareable at) {
     this.at = at;

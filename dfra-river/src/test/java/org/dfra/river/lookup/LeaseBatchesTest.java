@@ -17,6 +17,7 @@ import net.jini.core.lease.LeaseMap;
 import net.jini.core.lease.LeaseMapException;
 import net.jini.core.lease.UnknownLeaseException;
 import org.awaitility.Awaitility;
+import org.dfra.river.fixture.FakeLease;
 import org.dfra.river.fixture.SteppedTime;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
@@ -39,27 +40,16 @@ class LeaseBatchesTest {
   private volatile @Nullable Error error;
 
   /** A lease of one of several grantors. */
-  private final class BatchedLease implements Lease {
+  private final class BatchedLease extends FakeLease {
     private final String name;
     private final String grantor; // its service ID, which others may copy
     private final String server;
-    private volatile long expiration = System.currentTimeMillis() + LEASE;
-    private volatile boolean isKnown = true;
 
     BatchedLease(String name, String grantor, String server) {
+      super(LEASE);
       this.name = name;
       this.grantor = grantor;
       this.server = server;
-    }
-
-    @Override
-    public long getExpiration() {
-      return expiration;
-    }
-
-    @Override
-    public void cancel() {
-      isKnown = false;
     }
 
     @Override
@@ -69,21 +59,12 @@ class LeaseBatchesTest {
       extend(duration);
     }
 
-    private void extend(long duration) throws UnknownLeaseException {
-      if (!isKnown) {
+    private void extend(long duration) throws UnknownLeaseException, RemoteException {
+      try {
+        super.renew(duration);
+      } catch (UnknownLeaseException e) {
         throw new UnknownLeaseException(name);
       }
-      expiration = System.currentTimeMillis() + duration;
-    }
-
-    @Override
-    public void setSerialFormat(int format) {
-      throw new UnsupportedOperationException();
-    }
-
-    @Override
-    public int getSerialFormat() {
-      return DURATION;
     }
 
     @Override

@@ -15,6 +15,7 @@ import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.proxy.ProxyCommandLease;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.remote.effector.GrantedCommandLease;
+import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -38,9 +39,10 @@ public abstract class EffectorProxy<C extends Command, E extends Effector<C>> ex
   @Override
   public final CommandLease acquireCommandLease(Duration duration)
       throws LeaseRefusedException, RemoteException {
+    long asked = Scheduler.system().nanos();
     CommandLease given = target().acquireCommandLease(duration);
     return given instanceof GrantedCommandLease leased
-        ? ProxyCommandLease.startRenewing(identification().path(), leased, duration)
+        ? ProxyCommandLease.startRenewing(identification().path(), leased, duration, asked)
         : given;
   }
 
