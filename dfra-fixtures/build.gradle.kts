@@ -2,6 +2,7 @@
 dependencies {
     api(project(":dfra-api"))
     api(rootProject.libs.jsk.platform)
+    api(rootProject.libs.bcpkix.jdk18on)
     api(rootProject.libs.junit.jupiter)
     api(rootProject.libs.assertj.core)
     api(rootProject.libs.awaitility)
