@@ -2,6 +2,7 @@
 dependencies {
     api(project(":dfra-api"))
     api(rootProject.libs.jsk.platform)
+    // Writes the certificates of tests, as the authority's tool writes those of robots.
     api(rootProject.libs.bcpkix.jdk18on)
     api(rootProject.libs.junit.jupiter)
     api(rootProject.libs.assertj.core)

@@ -74,6 +74,7 @@ class ArchitectureTest extends PrintedTextRules {
   private static final String[] APPLICATION = {
     "org.dfra.report..",
     "org.dfra.cli..",
+    "org.dfra.authority..",
     "org.dfra.examples..",
     "org.dfra.experiments..",
     "org.dfra.benchmarks.."
@@ -287,6 +288,20 @@ class ArchitectureTest extends PrintedTextRules {
     check(
         terminal,
         noClasses().that(resideInAnyPackage(terminal)).should().dependOnClassesThat(rest));
+  }
+
+  /** A robot checks certificates with the JDK alone; only the authority's tool writes them. */
+  @Test
+  void onlyTheAuthorityWritesCertificates() {
+    String[] authority = {"org.dfra.authority.."};
+    String[] fixture = {"org.dfra.river.fixture.."}; // of tests
+    check(
+        authority,
+        noClasses()
+            .that(not(resideInAnyPackage(join(authority, fixture))))
+            .should()
+            .dependOnClassesThat()
+            .resideInAPackage("org.bouncycastle.."));
   }
 
   @Test

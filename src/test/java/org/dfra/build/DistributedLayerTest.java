@@ -44,7 +44,8 @@ class DistributedLayerTest {
     "org.dfra.river.access..",
     "org.dfra.river.call..",
     "org.dfra.river.filter..",
-    "org.dfra.river.transport.."
+    "org.dfra.river.transport..",
+    "org.dfra.river.identity.."
   };
   private static final String[] PHOENIX = {"org.dfra.river.phoenix.."};
   private static final String[] LOADING = {"org.dfra.river.loading.."};

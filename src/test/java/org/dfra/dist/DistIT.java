@@ -160,9 +160,11 @@ class DistIT {
           .noneMatch(
               each ->
                   each.matches(
-                      "dfra-(flight|examples|experiments|benchmarks|sim|testing|fixtures)\\.jar"))
+                      "dfra-(authority|flight|examples|experiments|benchmarks|sim|testing|fixtures)\\.jar"))
           .noneMatch(
-              each -> each.matches("(mavlink|xchart|batik|commons|jeromq|jmh|jnacl|jopt)-.*"));
+              each ->
+                  each.matches(
+                      "(bcpkix|bcprov|bcutil|mavlink|xchart|batik|commons|jeromq|jmh|jnacl|jopt)-.*"));
       long bytes = 0;
       for (Path each : jars) {
         bytes += Files.size(each);

@@ -13,6 +13,7 @@ import org.dfra.report.plot.NoFontException;
 import org.dfra.report.terminal.CommandFailure;
 import org.dfra.report.terminal.ConsoleMessages;
 import org.dfra.report.terminal.ExitCode;
+import org.dfra.river.identity.IdentityException;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.ParseResult;
@@ -56,6 +57,7 @@ final class CommandExceptionHandler implements IExecutionExceptionHandler {
         || e instanceof AdministrationRefusedException
         || e instanceof LeaseRefusedException
         || e instanceof NoFontException
+        || e instanceof IdentityException
         || e instanceof IllegalArgumentException) { // a module's message about an invalid parameter
       return ExitCode.FAILED;
     }

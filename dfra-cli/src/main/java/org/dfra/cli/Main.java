@@ -20,6 +20,8 @@ import org.dfra.cli.recruit.RecruitCommand;
 import org.dfra.cli.robot.DownCommand;
 import org.dfra.cli.robot.StatusCommand;
 import org.dfra.cli.robot.UpCommand;
+import org.dfra.cli.security.SecurityCommand;
+import org.dfra.cli.security.WhoamiCommand;
 import org.dfra.cli.stop.StopCommand;
 import org.dfra.cli.task.TaskCommand;
 import org.dfra.core.config.RenamedNames;
@@ -66,6 +68,8 @@ public final class Main {
           "event",
           "lease",
           "log",
+          "security",
+          "whoami",
           "fuzzy",
           "recruit",
           "demo",
@@ -187,6 +191,8 @@ public final class Main {
           case "event" -> EventCommand.class;
           case "lease" -> LeaseCommand.class;
           case "log" -> LogCommand.class;
+          case "security" -> SecurityCommand.class;
+          case "whoami" -> WhoamiCommand.class;
           case "recruit" -> RecruitCommand.class;
           case "completion" -> CompletionCommand.class;
           case "help" -> HelpCommand.class;

@@ -30,6 +30,11 @@ final class ProvidedCommands {
       Collections.unmodifiableMap(
           new TreeMap<>(
               Map.of(
+                  "security init", "dfra-authority",
+                  "security issue", "dfra-authority",
+                  "security list", "dfra-authority",
+                  "security renew", "dfra-authority",
+                  "security revoke", "dfra-authority",
                   "fuzzy", "dfra-examples",
                   "demo", "dfra-examples",
                   "sim", "dfra-examples",

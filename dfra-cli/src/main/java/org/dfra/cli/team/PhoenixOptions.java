@@ -141,13 +141,15 @@ public final class PhoenixOptions {
     return state().resolve(ADDRESS);
   }
 
-  /** The option for phoenix's state folder on this host. A picocli mix-in. */
-  static final class StateOption {
+  /** The option for the state folder on this host. A picocli mix-in. */
+  public static final class StateOption {
 
     @Option(
         names = "--state",
         paramLabel = "FOLDER",
-        description = "Where phoenix keeps its journal and logs (default: DFRA_STATE, or ~/.dfra).")
+        description =
+            "Where phoenix keeps its journal and logs, and the identity of this computer is"
+                + " (default: DFRA_STATE, or ~/.dfra).")
     private @Nullable Path state;
 
     /** The folder, as an absolute path. It may not exist yet. */

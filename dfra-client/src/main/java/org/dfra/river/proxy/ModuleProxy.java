@@ -10,9 +10,6 @@ import java.util.List;
 import java.util.UUID;
 import java.util.concurrent.TimeUnit;
 import net.jini.admin.Administrable;
-import net.jini.constraint.BasicMethodConstraints;
-import net.jini.core.constraint.InvocationConstraints;
-import net.jini.core.constraint.RemoteMethodControl;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
@@ -24,8 +21,8 @@ import org.dfra.module.LogLevel;
 import org.dfra.module.Module;
 import org.dfra.module.ModuleHistory;
 import org.dfra.module.Parameter;
+import org.dfra.river.call.RobotAuthentication;
 import org.dfra.river.remote.RemoteModule;
-import org.dfra.river.transport.CurrentIdentity;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -177,30 +174,11 @@ public abstract class ModuleProxy<M extends Module> implements Module, Administr
     return identification.path() + " (" + getClass().getSimpleName() + ")";
   }
 
-  /** A received proxy names its robot: only that robot's processes may answer its calls. */
-  private static RemoteModule onlyOf(String robot, RemoteModule server)
-      throws InvalidObjectException {
-    InvocationConstraints required;
-    try {
-      required = CurrentIdentity.requiredOfRobot(robot);
-    } catch (IllegalArgumentException e) { // no member has such a name
-      throw (InvalidObjectException)
-          new InvalidObjectException("a module proxy of robot " + robot).initCause(e);
-    }
-    if (required.isEmpty()) {
-      return server;
-    } else if (server instanceof RemoteMethodControl controlled) {
-      return (RemoteModule) controlled.setConstraints(new BasicMethodConstraints(required));
-    }
-    throw new InvalidObjectException(
-        "a module proxy of robot " + robot + ", whose server nobody can authenticate");
-  }
-
   private void readObject(ObjectInputStream in) throws IOException, ClassNotFoundException {
     in.defaultReadObject();
     if (kind == null || id == null || identification == null || !kind.isInstance(server)) {
       throw new InvalidObjectException("a module proxy without kind, server, identity or name");
     }
-    server = onlyOf(identification.robot(), server);
+    server = RobotAuthentication.require(identification.robot(), server);
   }
 }

@@ -23,7 +23,7 @@ import net.jini.jeri.BasicObjectEndpoint;
 import org.dfra.river.access.GuardedObject;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.PeerAddress;
-import org.dfra.river.fixture.TestAuthority;
+import org.dfra.river.fixture.TestTeam;
 import org.dfra.security.AccessRefusedException;
 import org.dfra.security.AccessRequest;
 import org.dfra.security.Decision;
@@ -76,7 +76,7 @@ class AuthorizedCallsTest {
     }
   }
 
-  private final TestIdentities team = new TestIdentities(new TestAuthority("field"));
+  private final TestIdentities team = new TestIdentities(new TestTeam("field"));
   private final List<AccessRequest> requests = new CopyOnWriteArrayList<>();
   private final ChannelIdentity robot = team.guarded(MemberRole.ROBOT, "atrv1", this::decide);
   private final Uuid id = UuidFactory.generate();

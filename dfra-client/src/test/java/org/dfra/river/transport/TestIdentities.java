@@ -1,11 +1,15 @@
 package org.dfra.river.transport;
 
+import java.io.ByteArrayInputStream;
 import java.security.GeneralSecurityException;
+import java.security.cert.CertificateFactory;
+import java.security.cert.X509CRL;
+import java.security.cert.X509Certificate;
 import java.time.Clock;
 import java.util.List;
 import java.util.Set;
-import org.dfra.river.fixture.TestAuthority;
-import org.dfra.river.fixture.TestAuthority.Issued;
+import org.dfra.river.fixture.TestTeam;
+import org.dfra.river.fixture.TestTeam.Issued;
 import org.dfra.river.identity.RevokedCertificates;
 import org.dfra.river.identity.TeamIdentity;
 import org.dfra.security.Decision;
@@ -16,25 +20,30 @@ import org.dfra.security.MemberRole;
 /** Identities of a team of tests. */
 final class TestIdentities {
 
-  private final TestAuthority authority;
+  private final TestTeam authority;
   private final RevokedCertificates revoked;
 
-  TestIdentities(TestAuthority authority) {
+  TestIdentities(TestTeam authority) {
     this.authority = authority;
-    this.revoked = new RevokedCertificates(authority.certificate());
+    this.revoked = new RevokedCertificates(authority.authority());
   }
 
-  RevokedCertificates revoked() {
-    return revoked;
+  /** Gives all identities a list of revoked certificates. Returns whether it is newer. */
+  boolean revoke(TestTeam signer, long number, X509Certificate... certificates)
+      throws GeneralSecurityException {
+    return revoked.replace(
+        (X509CRL)
+            CertificateFactory.getInstance("X.509")
+                .generateCRL(new ByteArrayInputStream(signer.revocations(number, certificates))));
   }
 
   TeamIdentity of(MemberRole role, String name) {
-    return of(role, name, authority.issue(role, name));
+    return of(role, name, authority.issue(new Member("field", role, name)));
   }
 
   /** An identity with a guard of its own. */
   TeamIdentity guarded(MemberRole role, String name, Guard guard) {
-    return identity(role, name, authority.issue(role, name), guard);
+    return identity(role, name, authority.issue(new Member("field", role, name)), guard);
   }
 
   /** An identity that presents any certificate, whoever has issued it. */
@@ -50,7 +59,7 @@ final class TestIdentities {
               new TeamIdentity.Key(issued.key(), List.of(issued.certificate())),
               Set.of(),
               Set.of(),
-              authority.certificate(),
+              authority.authority(),
               revoked,
               guard,
               false),

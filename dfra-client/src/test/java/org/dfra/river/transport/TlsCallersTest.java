@@ -20,6 +20,7 @@ import javax.net.ssl.SSLContext;
 import javax.net.ssl.SSLSocket;
 import javax.net.ssl.TrustManager;
 import javax.net.ssl.X509TrustManager;
+import javax.security.auth.x500.X500Principal;
 import net.jini.core.constraint.ClientAuthentication;
 import net.jini.core.constraint.ClientMinPrincipal;
 import net.jini.core.constraint.Confidentiality;
@@ -33,9 +34,8 @@ import net.jini.core.constraint.ServerMinPrincipal;
 import net.jini.io.UnsupportedConstraintException;
 import net.jini.io.context.ClientSubject;
 import org.bouncycastle.asn1.x509.KeyPurposeId;
-import org.dfra.river.fixture.TestAuthority;
-import org.dfra.river.fixture.TestAuthority.Issued;
-import org.dfra.river.fixture.TestAuthority.Request;
+import org.dfra.river.fixture.TestTeam;
+import org.dfra.river.fixture.TestTeam.Issued;
 import org.dfra.security.Caller;
 import org.dfra.security.Member;
 import org.dfra.security.MemberRole;
@@ -47,12 +47,15 @@ import org.junit.jupiter.api.Timeout;
 class TlsCallersTest {
 
   private static final String HOST = RecordingServer.HOST;
-  private static final TestAuthority AUTHORITY = new TestAuthority("field");
-  private static final TestAuthority OTHER = new TestAuthority("field");
+  private static final TestTeam AUTHORITY = new TestTeam("field");
+  private static final TestTeam OTHER = new TestTeam("field");
+
+  private static final Member ATRV1 = new Member("field", MemberRole.ROBOT, "atrv1");
+  private static final Member ANNA = new Member("field", MemberRole.OPERATOR, "anna");
 
   private final TestIdentities team = new TestIdentities(AUTHORITY);
   private final ChannelIdentity robot = team.of(MemberRole.ROBOT, "atrv1");
-  private final Issued anna = AUTHORITY.issue(MemberRole.OPERATOR, "anna");
+  private final Issued anna = AUTHORITY.issue(ANNA);
   private final ChannelIdentity operator = team.of(MemberRole.OPERATOR, "anna", anna);
 
   private final RecordingServer server = RecordingServer.as(robot);
@@ -75,7 +78,7 @@ class TlsCallersTest {
     assertThat(call(from(operator))).containsExactly(1, 2, 3);
     Caller caller = server.last(Caller.class);
     assertThat(caller.standing()).isEqualTo(Caller.Standing.MEMBER);
-    assertThat(caller.member()).contains(new Member("field", MemberRole.OPERATOR, "anna"));
+    assertThat(caller.member()).contains(ANNA);
     assertThat(server.last(ClientSubject.class).getClientSubject().getPrincipals())
         .contains(anna.certificate().getSubjectX500Principal());
   }
@@ -83,11 +86,12 @@ class TlsCallersTest {
   @Test
   void theOwnProcessesAreOwnEvenWhenTheCertificateHasExpired() throws IOException {
     Instant now = Instant.now();
-    Request expired =
-        AUTHORITY
-            .request(MemberRole.ROBOT, "atrv1")
-            .valid(now.minus(Duration.ofDays(2)), now.minus(Duration.ofDays(1)));
-    ChannelIdentity late = team.of(MemberRole.ROBOT, "atrv1", AUTHORITY.issue(expired));
+    ChannelIdentity late =
+        team.of(
+            MemberRole.ROBOT,
+            "atrv1",
+            AUTHORITY.issue(
+                ATRV1.x500(), now.minus(Duration.ofDays(2)), now.minus(Duration.ofDays(1))));
     try (RecordingServer own = RecordingServer.as(late)) {
       assertThat(call(own.from(late))).containsExactly(1, 2, 3);
       assertThat(own.last(Caller.class).standing()).isEqualTo(Caller.Standing.OWN);
@@ -108,28 +112,30 @@ class TlsCallersTest {
   @Test
   void anExpiredMemberIsMarked() throws IOException {
     Instant now = Instant.now();
-    Request expired =
-        AUTHORITY
-            .request(MemberRole.OPERATOR, "late")
-            .valid(now.minus(Duration.ofDays(2)), now.minus(Duration.ofSeconds(2)));
-    assertThat(call(from(team.of(MemberRole.OPERATOR, "late", AUTHORITY.issue(expired)))))
-        .hasSize(3);
+    Issued expired =
+        AUTHORITY.issue(
+            ANNA.x500(), now.minus(Duration.ofDays(2)), now.minus(Duration.ofSeconds(2)));
+    assertThat(call(from(team.of(MemberRole.OPERATOR, "anna", expired)))).hasSize(3);
     assertThat(server.last(Caller.class).standing()).isEqualTo(Caller.Standing.EXPIRED);
   }
 
   @Test
   void noOtherCertificateIsAccepted() {
     Instant now = Instant.now();
-    Request usual = AUTHORITY.request(MemberRole.OPERATOR, "mallory");
-    Issued early = AUTHORITY.issue(usual.valid(now.plusSeconds(600), now.plusSeconds(900)));
-    Issued coder = AUTHORITY.issue(usual.usages(KeyPurposeId.id_kp_codeSigning));
-    Issued serving = AUTHORITY.issue(usual.usages(KeyPurposeId.id_kp_serverAuth));
-    Issued forged = OTHER.issue(usual);
-    List<Issued> refused = List.of(early, coder, serving, forged);
+    Instant soon = now.plusSeconds(900);
+    X500Principal mallory = new Member("field", MemberRole.OPERATOR, "mallory").x500();
+    X500Principal elsewhere = new Member("woods", MemberRole.OPERATOR, "anna").x500();
+    Issued early = AUTHORITY.issue(mallory, now.plusSeconds(600), soon);
+    Issued coder = AUTHORITY.issue(mallory, now, soon, KeyPurposeId.id_kp_codeSigning);
+    Issued serving = AUTHORITY.issue(mallory, now, soon, KeyPurposeId.id_kp_serverAuth);
+    Issued forged = OTHER.issue(mallory, now, soon);
+    Issued foreign = AUTHORITY.issue(elsewhere, now, soon);
+    Issued self = TestTeam.robotKey("atrv1");
+    List<Issued> refused = List.of(early, coder, serving, forged, foreign, self);
     int before = server.dispatched();
     for (Issued each : refused) {
-      ChannelIdentity mallory = team.of(MemberRole.OPERATOR, "mallory", each);
-      assertThatThrownBy(() -> call(from(mallory)))
+      ChannelIdentity client = team.of(MemberRole.OPERATOR, "mallory", each);
+      assertThatThrownBy(() -> call(from(client)))
           .as("%s", each.certificate())
           .isInstanceOf(IOException.class);
     }
@@ -204,7 +210,7 @@ class TlsCallersTest {
     TransportEndpoint annas = from(operator);
     assertThat(call(annas)).hasSize(3);
     int before = server.dispatched();
-    assertThat(team.revoked().replace(AUTHORITY.revoked(1, anna.certificate()))).isTrue();
+    assertThat(team.revoke(AUTHORITY, 1, anna.certificate())).isTrue();
     await()
         .atMost(Duration.ofSeconds(10))
         .untilAsserted(
@@ -215,20 +221,20 @@ class TlsCallersTest {
     assertThatThrownBy(() -> call(annas)).isInstanceOf(IOException.class);
     assertThat(server.callersFrom(before))
         .allSatisfy(each -> assertThat(each.standing()).isEqualTo(Caller.Standing.STRANGER));
-    assertThat(team.revoked().replace(AUTHORITY.revoked(1))).as("an older list").isFalse();
-    assertThatThrownBy(() -> team.revoked().replace(OTHER.revoked(2)))
-        .isInstanceOf(GeneralSecurityException.class);
+    assertThat(team.revoke(AUTHORITY, 1)).as("an older list").isFalse();
+    assertThatThrownBy(() -> team.revoke(OTHER, 2)).isInstanceOf(GeneralSecurityException.class);
   }
 
   @Test
   void constraintsAreAnsweredTruthfully() throws IOException {
     TransportEndpoint annas = from(operator);
-    X509Certificate other = AUTHORITY.issue(MemberRole.ROBOT, "atrv2").certificate();
+    X509Certificate other =
+        AUTHORITY.issue(new Member("field", MemberRole.ROBOT, "atrv2")).certificate();
     Set<InvocationConstraints> met =
         Set.of(
             required(Confidentiality.YES, ServerAuthentication.YES, ClientAuthentication.YES),
             required(Integrity.YES, Delegation.NO),
-            required(new ServerMinPrincipal(new Member("field", MemberRole.ROBOT, "atrv1").x500())),
+            required(new ServerMinPrincipal(ATRV1.x500())),
             required(new ClientMinPrincipal(anna.certificate().getSubjectX500Principal())),
             required(
                 new ConstraintAlternatives(

@@ -4,13 +4,13 @@ import net.jini.core.constraint.Confidentiality;
 import net.jini.core.constraint.Integrity;
 import net.jini.core.constraint.InvocationConstraint;
 import net.jini.jeri.ServerEndpoint;
-import org.dfra.river.fixture.TestAuthority;
+import org.dfra.river.fixture.TestTeam;
 import org.dfra.security.MemberRole;
 
 /** Client and server are two robots of a team. */
 class TlsTransportTest extends TransportContract {
 
-  private static final TestIdentities TEAM = new TestIdentities(new TestAuthority("field"));
+  private static final TestIdentities TEAM = new TestIdentities(new TestTeam("field"));
   private static final ChannelIdentity ROBOT = TEAM.of(MemberRole.ROBOT, "atrv1");
 
   @Override

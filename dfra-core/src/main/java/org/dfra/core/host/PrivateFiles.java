@@ -7,6 +7,7 @@ import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.FileAttribute;
 import java.nio.file.attribute.PosixFileAttributes;
@@ -178,6 +179,30 @@ public final class PrivateFiles {
       return false;
     } finally {
       Files.deleteIfExists(draft);
+    }
+  }
+
+  /**
+   * Writes a private file, atomically and synced to disk: after a failure of the computer it has
+   * either its former content or the new one.
+   */
+  public static void write(Path file, byte[] content) throws IOException {
+    Path folder = Objects.requireNonNull(file.toAbsolutePath().getParent(), "a file has a folder");
+    Path draft = Files.createTempFile(folder, "." + file.getFileName(), ".draft", privateFile());
+    try {
+      Files.write(draft, content);
+      sync(draft);
+      Path unused = Files.move(draft, file, StandardCopyOption.ATOMIC_MOVE);
+    } finally {
+      Files.deleteIfExists(draft);
+    }
+    sync(folder);
+  }
+
+  /** Has a file, or the names in a folder, written to disk. */
+  public static void sync(Path path) throws IOException {
+    try (FileChannel channel = FileChannel.open(path, StandardOpenOption.READ)) {
+      channel.force(true);
     }
   }
 

@@ -71,6 +71,20 @@ class PrivateFilesTest {
   }
 
   @Test
+  void filesAreReplacedWhole() throws Exception {
+    Path file = temp.resolve("file");
+    PrivateFiles.write(file, new byte[] {1, 2, 3});
+    PrivateFiles.write(file, new byte[] {4});
+    assertThat(file).hasBinaryContent(new byte[] {4});
+    assertThat(mode(file)).isEqualTo("rw-------");
+    assertThatExceptionOfType(IOException.class)
+        .isThrownBy(() -> PrivateFiles.write(temp.resolve("missing/file"), new byte[0]));
+    try (var files = Files.list(temp)) {
+      assertThat(files).as("no draft is left").containsExactly(file);
+    }
+  }
+
+  @Test
   void fileThatOthersMayUseIsRefused() throws Exception {
     Path file = Files.createFile(temp.resolve("file"));
     Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rw-r--r--"));

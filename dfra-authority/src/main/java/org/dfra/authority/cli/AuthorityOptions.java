@@ -1,0 +1,52 @@
+package org.dfra.authority.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Clock;
+import org.dfra.authority.Authority;
+import org.dfra.cli.security.PassphraseSource;
+import org.dfra.cli.team.PhoenixOptions.StateOption;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** Where the authority is, and how it is opened. A picocli mix-in. */
+final class AuthorityOptions {
+
+  private static final String PASSPHRASE_FILE = "--authority-passphrase-file";
+
+  @Option(
+      names = "--authority",
+      paramLabel = "FOLDER",
+      description = "Folder of the authority (default: authority in the state folder).")
+  private @Nullable Path folder;
+
+  @Option(
+      names = PASSPHRASE_FILE,
+      paramLabel = "FILE",
+      description =
+          "File whose first line is the authority's passphrase (default: stored, or asks for it).")
+  private @Nullable Path passphraseFile;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
+  private StateOption state;
+
+  /** The authority's folder. */
+  Path folder() {
+    return folder == null ? state.folder().resolve("authority") : folder.toAbsolutePath();
+  }
+
+  /** The state folder. */
+  Path state() {
+    return state.folder();
+  }
+
+  /** Opens it. */
+  Authority open() throws IOException {
+    return Authority.open(
+        folder(),
+        () -> PassphraseSource.read(passphraseFile, "passphrase of the authority", PASSPHRASE_FILE),
+        Clock.systemUTC());
+  }
+}

@@ -1,0 +1,103 @@
+package org.dfra.cli.security;
+
+import java.math.BigInteger;
+import java.security.cert.X509CRL;
+import java.security.cert.X509Certificate;
+import java.time.Instant;
+import java.util.Optional;
+import org.dfra.river.identity.CertificateFingerprint;
+import org.dfra.river.identity.CertificateValidity;
+import org.dfra.river.identity.SecurityFiles;
+import org.dfra.river.identity.SignedFiles;
+import org.dfra.river.identity.TeamCredentials;
+import org.dfra.security.Member;
+
+/**
+ * A member as commands show it.
+ *
+ * @param name its name
+ * @param role its role
+ * @param team its team
+ * @param subject of its certificate
+ * @param validFrom first instant of its certificate
+ * @param validUntil last instant of its certificate
+ * @param state what the certificate is now
+ * @param fingerprint SHA-256 of its certificate
+ * @param authority subject of the authority's certificate
+ * @param authorityFingerprint SHA-256 of the authority's certificate
+ * @param revocationList number of the list of revoked certificates
+ * @param policy number of the policy
+ */
+record MemberView(
+    String name,
+    String role,
+    String team,
+    String subject,
+    Instant validFrom,
+    Instant validUntil,
+    String state,
+    String fingerprint,
+    String authority,
+    String authorityFingerprint,
+    Optional<BigInteger> revocationList,
+    Optional<String> policy) {
+
+  /** What is in a bundle. */
+  static MemberView of(VerifiedBundle bundle, Instant now) {
+    return of(
+        bundle.member(),
+        bundle.certificate(),
+        bundle.authority(),
+        Optional.of(bundle.revocations()),
+        bundle.bundle().file(SecurityFiles.POLICY),
+        now);
+  }
+
+  /** What a computer has joined as. */
+  static MemberView of(TeamCredentials credentials, Optional<byte[]> policy, Instant now) {
+    return of(
+        credentials.member(),
+        credentials.certificate(),
+        credentials.authority(),
+        credentials.revocations(),
+        policy,
+        now);
+  }
+
+  private static MemberView of(
+      Member member,
+      X509Certificate certificate,
+      X509Certificate authority,
+      Optional<X509CRL> revocations,
+      Optional<byte[]> policy,
+      Instant now) {
+    CertificateValidity validity = CertificateValidity.of(certificate, authority);
+    boolean isRevoked = revocations.map(list -> list.isRevoked(certificate)).orElse(false);
+    return new MemberView(
+        member.name(),
+        member.role().text(),
+        member.team(),
+        certificate.getSubjectX500Principal().getName(),
+        validity.from(),
+        validity.until(),
+        isRevoked ? "revoked" : words(validity.at(now)),
+        CertificateFingerprint.sha256(certificate),
+        authority.getSubjectX500Principal().getName(),
+        CertificateFingerprint.sha256(authority),
+        revocations.flatMap(SignedFiles::number),
+        policy.flatMap(PolicyVersion::of));
+  }
+
+  private static String words(CertificateValidity.Status status) {
+    return switch (status) {
+      case VALID -> "valid";
+      case NOT_YET_VALID -> "not yet valid";
+      case EXPIRED -> "expired";
+    };
+  }
+
+  /** The member in a sentence, such as {@code robot atrv1 of field}. */
+  String member() {
+    return role + " " + name + " of " + team;
+  }
+}

@@ -1,0 +1,146 @@
+package org.dfra.river.identity;
+
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.security.cert.CertPath;
+import java.security.cert.X509CRL;
+import java.security.cert.X509Certificate;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import javax.security.auth.Subject;
+import javax.security.auth.x500.X500PrivateCredential;
+import org.dfra.river.identity.TeamCredentials.RobotKey;
+import org.dfra.security.Member;
+
+/**
+ * The folder with the identity of this computer's processes, which {@code security join} writes.
+ * {@link SecurityFiles} has the names of its files.
+ */
+public final class IdentityFolder {
+
+  private IdentityFolder() {}
+
+  /**
+   * Whether this computer has joined a team, be it that its identity can be used or not. Only a
+   * computer that has not may be open to everybody.
+   *
+   * @param securityFolder {@code security} in the state folder
+   */
+  public static boolean isJoined(Path securityFolder) {
+    return Files.exists(securityFolder, LinkOption.NOFOLLOW_LINKS)
+        || Files.exists(replaced(securityFolder), LinkOption.NOFOLLOW_LINKS);
+  }
+
+  /**
+   * Where the former folder lies while a new one takes its place. If the computer fails meanwhile,
+   * this is all that is left.
+   */
+  public static Path replaced(Path securityFolder) {
+    return securityFolder.resolveSibling(securityFolder.getFileName() + ".old");
+  }
+
+  /**
+   * Logs in by JAAS and checks what the folder has. A certificate that is expired, not yet valid or
+   * revoked is loaded all the same: see {@link TeamCredentials#validity} and {@link
+   * TeamCredentials#isRevoked}. May ask for a passphrase on the terminal.
+   *
+   * @param securityFolder {@code security} in the state folder
+   * @throws IdentityException if a file is missing, unreadable, open to other users or not what it
+   *     should be, or the login fails
+   */
+  public static TeamCredentials load(Path securityFolder) throws IdentityException {
+    requireFolder(securityFolder);
+    Path authorityFile = securityFolder.resolve(SecurityFiles.AUTHORITY);
+    X509Certificate authority =
+        TeamCertificates.authority(SecurityFiles.read(authorityFile), authorityFile.toString());
+    IdentityLogin login = new IdentityLogin(securityFolder);
+    Subject subject = login.login();
+    String identity = securityFolder.resolve(SecurityFiles.IDENTITY).toString();
+    X500PrivateCredential credential = credential(subject, securityFolder);
+    X509Certificate certificate = credential.getCertificate();
+    Member member = TeamCertificates.member(chain(subject, certificate), authority, identity);
+    TeamCertificates.requireMatch(credential.getPrivateKey(), certificate, identity);
+    Optional<X509CRL> revocations = revocations(securityFolder, authority);
+    Optional<RobotKey> robotKey = robotKey(securityFolder, login, member);
+    subject.getPrincipals().add(member);
+    subject.setReadOnly();
+    return new TeamCredentials(
+        securityFolder,
+        subject,
+        member,
+        credential.getPrivateKey(),
+        List.of(certificate, authority),
+        revocations,
+        robotKey);
+  }
+
+  private static void requireFolder(Path folder) throws IdentityException {
+    if (!Files.isDirectory(folder)) {
+      throw new IdentityException(
+          isJoined(folder)
+              ? folder
+                  + " is no folder with an identity, since a join was interrupted; join the team"
+                  + " again: security join NAME.bundle"
+              : folder
+                  + " does not exist, so this computer has joined no team; type: security join"
+                  + " NAME.bundle");
+    }
+    SecurityFiles.requirePrivate(folder);
+  }
+
+  /** The one key with a certificate that the login modules have found. */
+  private static X500PrivateCredential credential(Subject subject, Path folder)
+      throws IdentityException {
+    Set<X500PrivateCredential> all = subject.getPrivateCredentials(X500PrivateCredential.class);
+    if (all.size() != 1) {
+      throw new IdentityException(
+          "the login that "
+              + folder.resolve(SecurityFiles.JAAS)
+              + " describes gave "
+              + all.size()
+              + " keys with certificates instead of one; correct its entry, or delete the file");
+    }
+    return all.iterator().next();
+  }
+
+  /** The certificate with those that the login modules have found with it. */
+  private static List<X509Certificate> chain(Subject subject, X509Certificate certificate) {
+    return subject.getPublicCredentials(CertPath.class).stream()
+        .map(path -> path.getCertificates().stream().map(X509Certificate.class::cast).toList())
+        .filter(path -> !path.isEmpty() && path.get(0).equals(certificate))
+        .findFirst()
+        .orElse(List.of(certificate));
+  }
+
+  private static Optional<X509CRL> revocations(Path folder, X509Certificate authority)
+      throws IdentityException {
+    Path file = folder.resolve(SecurityFiles.REVOKED);
+    Optional<byte[]> bytes = SecurityFiles.readIfThere(file);
+    return bytes.isEmpty()
+        ? Optional.empty()
+        : Optional.of(SignedFiles.revocations(bytes.get(), authority, file.toString()));
+  }
+
+  private static Optional<RobotKey> robotKey(Path folder, IdentityLogin login, Member member)
+      throws IdentityException {
+    Path file = folder.resolve(SecurityFiles.ROBOT);
+    Optional<byte[]> bytes = SecurityFiles.readIfThere(file);
+    if (bytes.isEmpty()) {
+      return Optional.empty();
+    }
+    SecurityFiles.requirePrivate(file);
+    Path passphraseFile = folder.resolve(SecurityFiles.ROBOT_PASSPHRASE);
+    Optional<char[]> passphrase = login.passphrase(SecurityFiles.ROBOT_PASSPHRASE);
+    if (passphrase.isEmpty()) {
+      throw new IdentityException(
+          passphraseFile + " is missing; join the team again: security join NAME.bundle");
+    }
+    RobotKey robotKey =
+        KeyEntry.read(bytes.get(), passphrase.get(), SecurityFiles.ROBOT_ALIAS, file.toString())
+            .asRobotKey();
+    TeamCertificates.requireRobotKey(robotKey, member, file.toString());
+    return Optional.of(robotKey);
+  }
+}
