@@ -16,6 +16,7 @@ import org.dfra.cli.log.LogbackSetup;
 import org.dfra.cli.log.PrintableTrace;
 import org.dfra.cli.module.ModuleCommand;
 import org.dfra.cli.persona.PersonaCommand;
+import org.dfra.cli.policy.PolicyCommand;
 import org.dfra.cli.recruit.RecruitCommand;
 import org.dfra.cli.robot.DownCommand;
 import org.dfra.cli.robot.StatusCommand;
@@ -66,6 +67,7 @@ public final class Main {
           "event",
           "lease",
           "log",
+          "policy",
           "fuzzy",
           "recruit",
           "demo",
@@ -187,6 +189,7 @@ public final class Main {
           case "event" -> EventCommand.class;
           case "lease" -> LeaseCommand.class;
           case "log" -> LogCommand.class;
+          case "policy" -> PolicyCommand.class;
           case "recruit" -> RecruitCommand.class;
           case "completion" -> CompletionCommand.class;
           case "help" -> HelpCommand.class;
