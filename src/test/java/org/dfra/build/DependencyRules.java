@@ -25,6 +25,7 @@ final class DependencyRules {
     "org.dfra.lease..",
     "org.dfra.event..",
     "org.dfra.directory..",
+    "org.dfra.security..",
     "org.dfra.text..",
     "org.dfra.time.."
   };

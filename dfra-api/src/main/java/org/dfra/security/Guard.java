@@ -1,8 +1,8 @@
 package org.dfra.security;
 
 /**
- * Decides which calls run. Asked for each call, after its method and before its arguments are
- * read. Thread-safe; it must not wait.
+ * Decides which calls run. Asked for each call, after its method and before its arguments are read.
+ * Thread-safe; it must not wait.
  */
 @FunctionalInterface
 public interface Guard {

@@ -12,8 +12,8 @@ import javax.naming.ldap.Rdn;
 import javax.security.auth.x500.X500Principal;
 
 /**
- * A member of a team: a robot, an operator or an observer. The subject of its certificate is
- * {@code CN=name, OU=role, O=team}.
+ * A member of a team: a robot, an operator or an observer. The subject of its certificate is {@code
+ * CN=name, OU=role, O=team}.
  *
  * @param team name of the team, which its authority has given it
  * @param role what it is

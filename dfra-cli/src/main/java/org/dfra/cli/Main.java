@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import org.dfra.cli.audit.AuditCommand;
 import org.dfra.cli.completion.CompletionCommand;
 import org.dfra.cli.completion.ScriptVerbs;
 import org.dfra.cli.doctor.DoctorCommand;
@@ -66,6 +67,7 @@ public final class Main {
           "event",
           "lease",
           "log",
+          "audit",
           "fuzzy",
           "recruit",
           "demo",
@@ -187,6 +189,7 @@ public final class Main {
           case "event" -> EventCommand.class;
           case "lease" -> LeaseCommand.class;
           case "log" -> LogCommand.class;
+          case "audit" -> AuditCommand.class;
           case "recruit" -> RecruitCommand.class;
           case "completion" -> CompletionCommand.class;
           case "help" -> HelpCommand.class;

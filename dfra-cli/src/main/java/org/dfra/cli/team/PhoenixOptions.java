@@ -142,7 +142,7 @@ public final class PhoenixOptions {
   }
 
   /** The option for phoenix's state folder on this host. A picocli mix-in. */
-  static final class StateOption {
+  public static final class StateOption {
 
     @Option(
         names = "--state",
