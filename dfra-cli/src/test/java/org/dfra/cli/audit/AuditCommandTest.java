@@ -162,7 +162,7 @@ class AuditCommandTest {
     Files.writeString(file, Files.readString(file).replace("\"deny\"", "\"permit\""));
     assertThat(run("verify")).isEqualTo(1);
     assertThat(out.toString().replaceAll("\\s+", ""))
-        .contains("gpsisBROKENat" + file + ":2:thelinewaschanged");
+        .contains("gpsisBROKENat" + file + ":2:thislineorthenextonewaschanged");
     assertThat(run("verify", "--json")).isEqualTo(1);
     JsonNode streams = new ObjectMapper().readTree(out.toString());
     assertThat(streams.get(0).path("line").asInt()).isEqualTo(2);

@@ -7,6 +7,7 @@ import org.dfra.security.AccessRequest;
 import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.dfra.text.PrintableText;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What happened, without its time. Two equal events of an interval share a record. Texts are made
@@ -58,10 +59,12 @@ public record AuditEvent(
     rule = PrintableText.line(rule, NAME);
     reason = PrintableText.line(reason, REASON);
     obligations =
-        obligations.stream()
-            .limit(MOST_OBLIGATIONS)
-            .map(each -> PrintableText.line(each, OBLIGATION))
-            .toList();
+        obligations.isEmpty()
+            ? List.of()
+            : obligations.stream()
+                .limit(MOST_OBLIGATIONS)
+                .map(each -> PrintableText.line(each, OBLIGATION))
+                .toList();
   }
 
   /** A call, and what the guard decided. */
@@ -165,5 +168,35 @@ public record AuditEvent(
   private static AuditEvent ofCaller(
       AuditKind kind, Optional<Caller> caller, String decision, String reason) {
     return new AuditEvent(kind, caller, "", "", "", decision, "", reason, List.of());
+  }
+
+  /** Of what differs most: this is computed for each command. */
+  @Override
+  public int hashCode() {
+    int hash = caller.isEmpty() ? kind.ordinal() : caller.get().address().hashCode();
+    hash = 31 * hash + object.hashCode();
+    hash = 31 * hash + method.hashCode();
+    return 31 * hash + reason.hashCode();
+  }
+
+  /** As the record's own, but faster; see {@link CallerEquality}. */
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof AuditEvent event
+        && kind == event.kind
+        && method.equals(event.method)
+        && object.equals(event.object)
+        && robot.equals(event.robot)
+        && decision.equals(event.decision)
+        && rule.equals(event.rule)
+        && reason.equals(event.reason)
+        && obligations.equals(event.obligations)
+        && isSameCaller(event);
+  }
+
+  private boolean isSameCaller(AuditEvent event) {
+    return caller.isEmpty() || event.caller.isEmpty()
+        ? caller.isEmpty() && event.caller.isEmpty()
+        : CallerEquality.areEqual(caller.get(), event.caller.get());
   }
 }

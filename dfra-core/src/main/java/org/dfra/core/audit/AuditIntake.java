@@ -207,7 +207,7 @@ final class AuditIntake {
       return one.object().equals(two.object())
           && one.robot().equals(two.robot())
           && (one.method() == two.method() || one.method().equals(two.method()))
-          && (one.caller() == two.caller() || one.caller().equals(two.caller()));
+          && CallerEquality.areEqual(one.caller(), two.caller());
     }
   }
 }
