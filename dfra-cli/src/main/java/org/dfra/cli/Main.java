@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import org.dfra.cli.audit.AuditCommand;
 import org.dfra.cli.completion.CompletionCommand;
 import org.dfra.cli.completion.ScriptVerbs;
 import org.dfra.cli.doctor.DoctorCommand;
@@ -69,12 +70,10 @@ public final class Main {
           "event",
           "lease",
           "log",
-<<<<<<< HEAD
           "security",
           "whoami",
-=======
           "policy",
->>>>>>> policy
+          "audit",
           "fuzzy",
           "recruit",
           "demo",
@@ -196,12 +195,10 @@ public final class Main {
           case "event" -> EventCommand.class;
           case "lease" -> LeaseCommand.class;
           case "log" -> LogCommand.class;
-<<<<<<< HEAD
           case "security" -> SecurityCommand.class;
           case "whoami" -> WhoamiCommand.class;
-=======
           case "policy" -> PolicyCommand.class;
->>>>>>> policy
+          case "audit" -> AuditCommand.class;
           case "recruit" -> RecruitCommand.class;
           case "completion" -> CompletionCommand.class;
           case "help" -> HelpCommand.class;

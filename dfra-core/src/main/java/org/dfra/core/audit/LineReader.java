@@ -1,0 +1,72 @@
+package org.dfra.core.audit;
+
+import java.io.BufferedInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.channels.Channels;
+import java.nio.channels.FileChannel;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import org.jspecify.annotations.Nullable;
+
+/** Reads a file line by line, with at most one line in memory. */
+final class LineReader implements Closeable {
+
+  /** No line of a trail is longer, bytes. */
+  static final int LONGEST_LINE = 32 * 1024;
+
+  /**
+   * A line.
+   *
+   * @param bytes without its end; only the beginning if it is too long
+   * @param isComplete whether it has an end
+   * @param isTooLong whether it has more than {@value LineReader#LONGEST_LINE} bytes
+   * @param end offset of the next line in the file
+   */
+  record RawLine(byte[] bytes, boolean isComplete, boolean isTooLong, long end) {}
+
+  private final InputStream in;
+  private long offset;
+
+  private LineReader(InputStream in, long offset) {
+    this.in = in;
+    this.offset = offset;
+  }
+
+  /** Opens a file at an offset, where a line begins. */
+  static LineReader open(Path path, long offset) throws IOException {
+    FileChannel channel = FileChannel.open(path, StandardOpenOption.READ);
+    InputStream in = Channels.newInputStream(channel.position(offset)); // may be after the end
+    return new LineReader(new BufferedInputStream(in, LONGEST_LINE), offset);
+  }
+
+  /** The next line; null at the end of the file. */
+  @Nullable RawLine next() throws IOException {
+    ByteArrayOutputStream line = new ByteArrayOutputStream(512);
+    boolean isTooLong = false;
+    int read = in.read();
+    if (read < 0) {
+      return null;
+    }
+    while (read >= 0) {
+      offset++;
+      if (read == '\n') {
+        return new RawLine(line.toByteArray(), true, isTooLong, offset);
+      }
+      if (line.size() < LONGEST_LINE) {
+        line.write(read);
+      } else {
+        isTooLong = true;
+      }
+      read = in.read();
+    }
+    return new RawLine(line.toByteArray(), false, isTooLong, offset);
+  }
+
+  @Override
+  public void close() throws IOException {
+    in.close();
+  }
+}
