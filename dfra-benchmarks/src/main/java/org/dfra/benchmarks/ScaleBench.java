@@ -200,7 +200,7 @@ final class ScaleBench implements Bench {
     double most = Arrays.stream(values).max().orElseThrow();
     return new LinePanel(
             what.name(),
-            Axis.of("robots", "").between(0, robots[robots.length - 1]),
+            Axis.of("robots", "").between(0, 1.05 * robots[robots.length - 1]),
             Axis.of(what.quantity(), what.unit()).between(0, 1.1 * most))
         .add(Series.line("", robots, values), Series.points("measured", robots, values));
   }

@@ -4,6 +4,8 @@ import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.lang.System.Logger.Level;
 import java.rmi.NoSuchObjectException;
 import java.rmi.RemoteException;
+import java.rmi.ServerException;
+import java.rmi.UnmarshalException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Executor;
@@ -243,10 +245,27 @@ public final class ListenerQueue implements AutoCloseable {
       delivered(deliveries.size(), scheduler.nanos() - begun);
       return true;
     } catch (RemoteException | RuntimeException | Error e) {
-      return failed(deliveries, e);
+      return deliveries.size() > 1 && isUnread(e)
+          ? deliverSingly(deliveries)
+          : failed(deliveries, e);
     } finally {
       thread.setContextClassLoader(before);
     }
+  }
+
+  /** Whether the listener could not read the call, so that it has got none of the events. */
+  private static boolean isUnread(Throwable e) {
+    return e instanceof ServerException && e.getCause() instanceof UnmarshalException;
+  }
+
+  /** One unreadable event costs no other one. */
+  private boolean deliverSingly(List<Delivery> deliveries) {
+    for (Delivery each : deliveries) {
+      if (!deliver(List.of(each), scheduler.nanos())) {
+        return false;
+      }
+    }
+    return true;
   }
 
   private synchronized void delivered(int count, long nanos) {

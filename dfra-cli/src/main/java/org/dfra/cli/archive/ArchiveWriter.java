@@ -70,15 +70,32 @@ final class ArchiveWriter {
         FileLock lock = file.tryLock()) {
       if (lock != null) { // else another one writes them
         removeAll(DRAFT + "*");
-        if (robots.isPresent() && !robots.get().isUsable()) {
-          removeAll(ClassArchive.ROBOT + "*"); // of other jars
-          writeRobots(robots.get());
+        if (robots.isPresent() && !robots.get().isUsable() && !hasFailed(robots.get().file())) {
+          noteFailure(robots.get().file(), !writeRobots(robots.get()));
         }
-        if (!Files.exists(commands) || isOlderThanJars(commands)) {
-          writeCommands();
+        if ((!Files.exists(commands) || isOlderThanJars(commands)) && !hasFailed(commands)) {
+          noteFailure(commands, !writeCommands());
         }
       }
     }
+  }
+
+  /** Whether it could not be written from these jars: to try again would fail again. */
+  private boolean hasFailed(Path archive) throws IOException {
+    Path note = failureNote(archive);
+    return Files.exists(note) && !isOlderThanJars(note);
+  }
+
+  private void noteFailure(Path archive, boolean failed) throws IOException {
+    Path note = failureNote(archive);
+    Files.deleteIfExists(note);
+    if (failed) {
+      Files.createFile(note);
+    }
+  }
+
+  private Path failureNote(Path archive) {
+    return folder.resolve("failed-" + archive.getFileName());
   }
 
   /** As the launcher judges it. */
@@ -95,27 +112,36 @@ final class ArchiveWriter {
     }
   }
 
-  private void writeRobots(ClassArchive archive) throws IOException, InterruptedException {
+  /** Returns whether it was written. */
+  private boolean writeRobots(ClassArchive archive) throws IOException, InterruptedException {
     Path draft = folder.resolve(DRAFT + archive.file().getFileName());
     try {
-      if (isWritten(draft, List.of(ArchivedProcesses.class.getName(), draft.toString()))) {
+      boolean isWritten =
+          isWritten(draft, List.of(ArchivedProcesses.class.getName(), draft.toString()));
+      if (isWritten) {
+        removeAll(ClassArchive.ROBOT + "*"); // of other jars
         archive.publish(draft);
       }
+      return isWritten;
     } finally {
       removeAll(DRAFT + "*");
     }
   }
 
-  private void writeCommands() throws IOException, InterruptedException {
+  /** Returns whether it was written. */
+  private boolean writeCommands() throws IOException, InterruptedException {
     Path draft = folder.resolve(DRAFT + commands.getFileName());
     try {
-      if (isWritten(
-          draft, List.of("-XX:ArchiveClassesAtExit=" + draft, ArchivedClasses.class.getName()))) {
+      boolean isWritten =
+          isWritten(
+              draft, List.of("-XX:ArchiveClassesAtExit=" + draft, ArchivedClasses.class.getName()));
+      if (isWritten) {
         try (FileChannel content = FileChannel.open(draft)) {
           content.force(true);
         }
         Files.move(draft, commands, StandardCopyOption.ATOMIC_MOVE);
       }
+      return isWritten;
     } finally {
       removeAll(DRAFT + "*");
     }

@@ -12,6 +12,10 @@ final class ArchiveStart {
   /** By its name, since it needs all commands, and these would need it. */
   private static final String WRITER = "org.dfra.cli.archive.ArchiveWriter";
 
+  /** If memory runs out, it ends before any process of a robot does. */
+  private static final String LEAST_IMPORTANT =
+      "echo 1000 2>/dev/null >/proc/self/oom_score_adj; nice -n 19 \"$@\" || exec \"$@\"";
+
   private static final String LIB = "dfra.lib";
 
   private ArchiveStart() {}
@@ -25,7 +29,7 @@ final class ArchiveStart {
       return;
     }
     List<String> command = new ArrayList<>(DetachedCommand.prefix(System.getenv("PATH")));
-    command.addAll(List.of("/bin/sh", "-c", "nice -n 19 \"$@\" || exec \"$@\"", "sh"));
+    command.addAll(List.of("/bin/sh", "-c", LEAST_IMPORTANT, "sh"));
     command.add(JvmCommand.java());
     command.addAll(JvmCommand.options());
     command.add("-D" + LIB + "=" + System.getProperty(LIB, ""));

@@ -10,12 +10,18 @@ import net.jini.core.constraint.InvocationConstraints;
 import net.jini.core.constraint.MethodConstraints;
 import net.jini.jeri.ServerCapabilities;
 import org.dfra.river.filter.FilteredInvocationDispatcher;
+import org.dfra.security.AccessRefusedException;
+import org.dfra.security.AccessRequest;
+import org.dfra.security.Caller;
+import org.dfra.security.Decision;
+import org.dfra.security.Guard;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A dispatcher that refuses administrative calls from unauthorised clients, before it reads their
- * arguments; see {@link AdministrationPolicy}. It filters all other calls like every dispatcher
- * here.
+ * A dispatcher that refuses calls before it reads their arguments. On a {@link GuardedEndpoint} the
+ * endpoint's guard decides about every call. On others, administrative calls from unauthorised
+ * clients are refused; see {@link AdministrationPolicy}. It filters all other calls like every
+ * dispatcher here.
  *
  * <p>It takes its robot's address from the endpoint that it is exported on. On an endpoint whose
  * host is unknown, every address of this computer is the robot's own.
@@ -24,6 +30,7 @@ public class GuardedDispatcher extends FilteredInvocationDispatcher {
 
   private final Set<Method> administrative;
   private final AdministrationPolicy policy;
+  private final @Nullable GuardedEndpoint endpoint;
 
   /**
    * As the constructor of {@link FilteredInvocationDispatcher}.
@@ -44,6 +51,7 @@ public class GuardedDispatcher extends FilteredInvocationDispatcher {
     super(methods, capabilities, server, null, loader);
     this.administrative = AdministrativeMethods.among(methods, type);
     this.policy = policy(capabilities);
+    this.endpoint = GuardedEndpoint.of(capabilities);
   }
 
   private static AdministrationPolicy policy(ServerCapabilities capabilities)
@@ -63,17 +71,51 @@ public class GuardedDispatcher extends FilteredInvocationDispatcher {
   /**
    * {@inheritDoc}
    *
-   * @throws org.dfra.module.AdministrationRefusedException if the method is administrative and the
-   *     client may not administer
+   * @throws AccessRefusedException if the endpoint's guard refuses the call
+   * @throws org.dfra.module.AdministrationRefusedException if the endpoint authenticates nobody,
+   *     and the method is administrative and the client may not administer
    */
   @Override
   @SuppressWarnings("rawtypes") // as River declares it
   protected void checkAccess(
       Remote impl, Method method, InvocationConstraints constraints, Collection context) {
     super.checkAccess(impl, method, constraints, context);
-    if (administrative.contains(method)) {
+    if (endpoint != null) {
+      ask(endpoint, impl, method, context);
+    } else if (administrative.contains(method)) {
       policy.check(RemoteCaller.fromContext(context), name(method));
     }
+  }
+
+  private static void ask(
+      GuardedEndpoint endpoint, Remote impl, Method method, Collection<?> context) {
+    String object = impl instanceof GuardedObject named ? named.guardedName() : "";
+    AccessRequest request = new AccessRequest(caller(context), endpoint.robot(), object, method);
+    @Nullable Guard guard = endpoint.guard();
+    if (guard == null) {
+      throw new IllegalStateException("an endpoint has lost its guard");
+    }
+    Decision decision = guard.decide(request);
+    if (!decision.isPermitted()) {
+      throw new AccessRefusedException(
+          request.methodName()
+              + (object.isEmpty() ? "" : " of " + object)
+              + " is refused to "
+              + request.caller()
+              + " by rule "
+              + decision.rule()
+              + ": "
+              + decision.reason());
+    }
+  }
+
+  private static Caller caller(Collection<?> context) {
+    for (Object each : context) {
+      if (each instanceof Caller caller) {
+        return caller;
+      }
+    }
+    return Caller.stranger(RemoteCaller.fromContext(context).toString());
   }
 
   /** The name in refusals. */

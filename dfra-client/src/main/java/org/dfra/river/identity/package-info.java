@@ -1,9 +1,13 @@
 /**
- * Who the processes of this computer are, by the certificates in the folder of their identity.
+ * Who a process is in its team, and whom it believes.
  *
  * <p>Start at {@link org.dfra.river.identity.IdentityFolder}: it logs in by JAAS and returns {@link
- * org.dfra.river.identity.TeamCredentials}. {@link org.dfra.river.identity.TeamCertificates} checks
- * what it reads; the command that writes the folder uses the same checks.
+ * org.dfra.river.identity.TeamCredentials}. From these comes the {@link
+ * org.dfra.river.identity.TeamIdentity} with which the transport encrypts. {@link
+ * org.dfra.river.identity.MemberTrust} decides which certificates of others are believed, and
+ * {@link org.dfra.river.identity.RevokedCertificates} which no longer are. {@link
+ * org.dfra.river.identity.TeamCertificates} checks what is read from files; the command that writes
+ * them uses the same checks.
  */
 @NullMarked
 package org.dfra.river.identity;

@@ -21,6 +21,7 @@ import org.dfra.module.LogLevel;
 import org.dfra.module.Module;
 import org.dfra.module.ModuleHistory;
 import org.dfra.module.Parameter;
+import org.dfra.river.call.RobotAuthentication;
 import org.dfra.river.remote.RemoteModule;
 import org.jspecify.annotations.Nullable;
 
@@ -38,7 +39,7 @@ public abstract class ModuleProxy<M extends Module> implements Module, Administr
   private static final long serialVersionUID = 1L;
 
   private final Class<M> kind;
-  private final RemoteModule server;
+  private RemoteModule server; // assigned once, when constructed or read
   private final UUID id;
   private final Identification identification;
 
@@ -178,5 +179,6 @@ public abstract class ModuleProxy<M extends Module> implements Module, Administr
     if (kind == null || id == null || identification == null || !kind.isInstance(server)) {
       throw new InvalidObjectException("a module proxy without kind, server, identity or name");
     }
+    server = RobotAuthentication.require(identification.robot(), server);
   }
 }

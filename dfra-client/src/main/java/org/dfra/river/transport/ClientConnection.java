@@ -114,6 +114,12 @@ final class ClientConnection {
     }
   }
 
+  /** Whether the server's certificate was revoked after the connection was made. */
+  boolean isRevoked() {
+    @Nullable ChannelPeer server = link.partner();
+    return server != null && server.isRevoked();
+  }
+
   /** Closes it and frees its buffers; only while it is idle. */
   void closeIdle() {
     freeBuffers();

@@ -19,6 +19,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
+import javax.net.ssl.SSLException;
 import net.jini.id.Uuid;
 import org.jspecify.annotations.Nullable;
 
@@ -63,6 +64,7 @@ final class ClientConnections {
 
     private final TransportEndpoint server;
     private final @Nullable LocalSocket local;
+    private final @Nullable ChannelIdentity identity;
     private final @Nullable InetAddress source;
     private final int group;
     private final int hash;
@@ -70,10 +72,12 @@ final class ClientConnections {
     Key(
         TransportEndpoint server,
         @Nullable LocalSocket local,
+        @Nullable ChannelIdentity identity,
         @Nullable InetAddress source,
         int group) {
       this.server = server;
       this.local = local;
+      this.identity = identity;
       this.source = source;
       this.group = group;
       this.hash = Objects.hash(server, local, source, group);
@@ -86,6 +90,7 @@ final class ClientConnections {
               && key.hash == hash
               && key.server.equals(server)
               && Objects.equals(key.local, local)
+              && key.identity == identity
               && Objects.equals(key.source, source)
               && key.group == group);
     }
@@ -103,12 +108,17 @@ final class ClientConnections {
 
   /** One group of the TCP connections to a server from one address of this computer. */
   static ClientConnections to(TransportEndpoint server, InetAddress source, int group) {
-    return of(new Key(server, null, source, group));
+    return of(new Key(server, null, server.identity(), source, group));
   }
 
   private static ClientConnections of(Key key) {
     @Nullable ClientConnections known = ALL.get(key);
     return known == null ? ALL.computeIfAbsent(key, ClientConnections::new) : known;
+  }
+
+  /** Who this end is; null if the calls to this server are not encrypted. */
+  @Nullable ChannelIdentity identity() {
+    return key.identity;
   }
 
   /** A connection on which a request may be sent; null if a new one is needed. */
@@ -118,7 +128,7 @@ final class ClientConnections {
       synchronized (this) {
         last = idle.pollFirst();
       }
-      if (last == null || last.isOpen(System.nanoTime())) {
+      if (last == null || (!last.isRevoked() && last.isOpen(System.nanoTime()))) {
         return last;
       }
       last.closeIdle();
@@ -281,8 +291,9 @@ final class ClientConnections {
       opened = link;
       CallInFlight.attachConnection(link); // to close the channel alone may end no wait
       greet(link, server);
+      Link ready = encrypted(link);
       done = true;
-      return new ClientConnection(link);
+      return new ClientConnection(ready);
     } finally {
       if (!done) {
         opened.close();
@@ -290,9 +301,24 @@ final class ClientConnections {
     }
   }
 
+  private Link encrypted(Link link) throws IOException {
+    @Nullable ChannelIdentity identity = key.identity;
+    if (identity == null) {
+      return link;
+    }
+    TlsLink encrypted = TlsLink.client(link, identity, key.server.host(), key.server.port());
+    try {
+      encrypted.handshake();
+    } catch (SSLException e) {
+      throw new IOException(
+          key.server + " and " + identity + " do not accept each other: " + e.getMessage(), e);
+    }
+    return encrypted;
+  }
+
   private void greet(Link link, Uuid server) throws IOException {
     ByteBuffer bytes = ByteBuffer.allocate(Greeting.CLIENT_BYTES);
-    Greeting.putClient(bytes, server);
+    Greeting.putClient(bytes, server, key.identity != null);
     link.write(bytes.flip());
     bytes.clear().limit(Greeting.SERVER_BYTES);
     while (bytes.hasRemaining()) {
@@ -302,7 +328,7 @@ final class ClientConnections {
     }
     Greeting.Answer answer = Greeting.readServer(bytes.flip());
     if (answer != Greeting.Answer.WELCOME) {
-      throw new IOException(key.server + " refuses a connection: " + answer);
+      throw new IOException(key.server + " refuses a connection: " + answer.sentence());
     }
   }
 }

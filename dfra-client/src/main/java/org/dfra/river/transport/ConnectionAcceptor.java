@@ -8,6 +8,7 @@ import java.nio.channels.SelectionKey;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.util.Comparator;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -25,6 +26,9 @@ import org.jspecify.annotations.Nullable;
 final class ConnectionAcceptor {
 
   private static final System.Logger LOG = System.getLogger(ConnectionAcceptor.class.getName());
+
+  private static final Set<State> IDLE_STATES =
+      EnumSet.of(State.IDLE, State.GREETING, State.HANDSHAKE);
 
   private static final long LOG_AGAIN_NANOS = TimeUnit.SECONDS.toNanos(10);
 
@@ -119,7 +123,7 @@ final class ConnectionAcceptor {
   private void closeLongestIdle(List<ServerConnection> among) {
     long now = System.nanoTime();
     among.stream()
-        .filter(each -> each.state() == State.IDLE || each.state() == State.GREETING)
+        .filter(each -> IDLE_STATES.contains(each.state()))
         .max(Comparator.comparingLong(each -> each.nanosInState(now)))
         .ifPresent(
             each -> {

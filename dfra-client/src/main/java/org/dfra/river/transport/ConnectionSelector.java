@@ -45,6 +45,7 @@ final class ConnectionSelector {
   /** Limited by {@link Resource#WORKERS}. */
   private final Executor workers = DaemonPool.create("dfra-worker-");
 
+  private final HandshakeQueue handshakes = new HandshakeQueue();
   private final ConnectionAcceptor acceptor;
   private long nextCheck = System.nanoTime();
 
@@ -178,7 +179,13 @@ final class ConnectionSelector {
     }
     ServerConnection connection = (ServerConnection) key.attachment();
     try {
-      read(key, connection);
+      if (connection.state() == State.HANDSHAKE) {
+        continueHandshake(key, connection);
+        return;
+      }
+      do {
+        read(key, connection);
+      } while (key.isValid() && connection.link().hasReceived());
     } catch (IOException | CancelledKeyException e) {
       LOG.log(Level.DEBUG, () -> "The connection of " + connection.link().peer() + " ended: " + e);
       connection.close();
@@ -198,7 +205,8 @@ final class ConnectionSelector {
   private void register(ServerConnection connection) {
     try {
       connection.link().setBlocking(false);
-      connection.link().channel().register(selector, SelectionKey.OP_READ, connection);
+      SelectionKey key =
+          connection.link().channel().register(selector, SelectionKey.OP_READ, connection);
       if (connection.state() != State.CLOSING) {
         connection.enter(State.IDLE);
         if (connection.port().isClosed()) {
@@ -206,6 +214,9 @@ final class ConnectionSelector {
         }
       }
       checkSoon();
+      if (connection.link().hasReceived()) {
+        handle(key);
+      }
     } catch (IOException | CancelledKeyException e) {
       LOG.log(Level.DEBUG, "A connection ended while it was idle.", e);
       connection.close();
@@ -237,7 +248,8 @@ final class ConnectionSelector {
       keep(connection);
       return;
     }
-    Greeting.Answer answer = Greeting.readClient(scratch, connection.port().id());
+    Greeting.Answer answer =
+        Greeting.readClient(scratch, connection.port().id(), connection.port().identity() != null);
     if (connection.link().write(Greeting.server(answer)) != Greeting.SERVER_BYTES
         || answer != Greeting.Answer.WELCOME
         || scratch.hasRemaining()) { // a client waits for the greeting
@@ -245,9 +257,48 @@ final class ConnectionSelector {
       return;
     }
     keep(connection);
+    @Nullable ChannelIdentity identity = connection.port().identity();
+    if (identity != null) {
+      TlsLink unused = connection.beginHandshake(identity);
+      checkSoon();
+      return;
+    }
     connection.enter(State.IDLE);
     if (connection.port().isClosed()) {
       endGently(connection);
+    }
+  }
+
+  /** Lets another thread compute, and does not read until that is done. */
+  private void continueHandshake(SelectionKey key, ServerConnection connection) {
+    key.interestOps(0);
+    TlsLink link = (TlsLink) connection.link();
+    handshakes.add(link.peer().origin(), () -> advance(key, connection, link));
+  }
+
+  /** For the threads of handshakes. */
+  private void advance(SelectionKey key, ServerConnection connection, TlsLink link) {
+    try {
+      boolean isOver = link.advance();
+      submit(() -> resume(key, connection, isOver));
+    } catch (IOException | RuntimeException e) { // also what a hostile peer makes JSSE throw
+      LOG.log(Level.DEBUG, () -> "The handshake of " + link.peer() + " failed: " + e);
+      connection.close();
+    }
+  }
+
+  private void resume(SelectionKey key, ServerConnection connection, boolean isEncrypted) {
+    if (!key.isValid()) {
+      return; // closed meanwhile
+    }
+    key.interestOps(SelectionKey.OP_READ);
+    if (!isEncrypted || !connection.enter(State.HANDSHAKE, State.IDLE)) {
+      return;
+    }
+    if (connection.port().isClosed()) {
+      endGently(connection);
+    } else if (connection.link().hasReceived()) {
+      handle(key);
     }
   }
 
@@ -332,7 +383,7 @@ final class ConnectionSelector {
       if (state == State.IDLE || state == State.WAITING) {
         boolean unused = connection.beginClosing(state);
         checkSoon();
-      } else if (state == State.GREETING || state == State.PARTIAL) {
+      } else if (state == State.GREETING || state == State.HANDSHAKE || state == State.PARTIAL) {
         connection.close();
       }
     } catch (IOException e) {
@@ -346,6 +397,12 @@ final class ConnectionSelector {
     acceptor.resume(selector.keys());
     long next = ConnectionTimeouts.IDLE_NANOS;
     for (ServerConnection each : connections) {
+      @Nullable ChannelPeer client = each.link().partner();
+      if (client != null && client.isRevoked()) {
+        LOG.log(Level.INFO, () -> client.caller() + " is cut off: its certificate was revoked");
+        each.close();
+        continue;
+      }
       switch (ConnectionTimeouts.check(each, now)) {
         case CLOSE -> {
           LOG.log(

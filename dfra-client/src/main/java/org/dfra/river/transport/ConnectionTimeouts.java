@@ -6,7 +6,7 @@ import org.dfra.river.transport.ServerConnection.State;
 /** How long a server's connection may be in each state. */
 final class ConnectionTimeouts {
 
-  /** The longest time between two parts of a request, or until it was greeted. */
+  /** The longest time between two parts of a request, until it was greeted, or for a handshake. */
   private static final long RECEIVE_NANOS = TimeUnit.SECONDS.toNanos(2);
 
   /** The longest time for a whole request to arrive: as long as the longest deadline of a call. */
@@ -45,7 +45,7 @@ final class ConnectionTimeouts {
     State state = connection.state();
     long waited = connection.nanosInState(state, now);
     return switch (state) {
-      case GREETING -> closeIf(waited >= RECEIVE_NANOS);
+      case GREETING, HANDSHAKE -> closeIf(waited >= RECEIVE_NANOS);
       case PARTIAL, RECEIVING ->
           closeIf(waited >= RECEIVE_NANOS || connection.nanosOfRequest(now) >= REQUEST_NANOS);
       case ANSWERING -> closeIf(waited >= ANSWER_NANOS);

@@ -6,9 +6,9 @@ import net.jini.id.Uuid;
 import net.jini.id.UuidFactory;
 
 /**
- * The first bytes in each direction. The client's: "DFRA", the version of the format, three zeros,
- * and the ID of the server that it wants (zero for any). The server's: "DFRA", the version that it
- * speaks, a {@link Answer} and two zeros.
+ * The first bytes in each direction. The client's: "DFRA", the version of the format, 1 if TLS
+ * follows and 0 if not, two zeros, and the ID of the server that it wants (zero for any). The
+ * server's: "DFRA", the version that it speaks, a {@link Answer} and two zeros.
  *
  * <p>A client sends nothing else before it has the server's greeting. So a request never waits at a
  * server that is suspended and executes it long after the client has given it up.
@@ -27,25 +27,48 @@ final class Greeting {
   /** For a client that names no server. */
   static final Uuid ANY_SERVER = UuidFactory.create(0, 0);
 
+  private static final int ENCRYPTED = 1 << 16;
+
   private static final int MAGIC = 'D' << 24 | 'F' << 16 | 'R' << 8 | 'A';
 
   /** What a server says to a client's greeting. */
   enum Answer {
     /** Send requests. */
-    WELCOME,
+    WELCOME("it accepts them"),
     /** Another server than the one that is wanted. */
-    OTHER_SERVER,
+    OTHER_SERVER("another server is there now"),
     /** Too many connections; try later. */
-    BUSY,
+    BUSY("it has too many connections"),
     /** It does not speak the client's version. */
-    OTHER_VERSION
+    OTHER_VERSION("it has another version of the transport; use the same release of DFRA"),
+    /** It serves encrypted calls only. */
+    ENCRYPTED_ONLY(
+        "it serves members of its team only; join the team on this computer"
+            + " (./dfra security join)"),
+    /** It has no keys, so it cannot encrypt. */
+    NOT_ENCRYPTED("it has joined no team, so its calls are not encrypted");
+
+    private final String sentence;
+
+    Answer(String sentence) {
+      this.sentence = sentence;
+    }
+
+    /** The reason, as the end of a sentence about the server. */
+    String sentence() {
+      return sentence;
+    }
   }
 
   private Greeting() {}
 
-  /** Writes a client's greeting. */
-  static void putClient(ByteBuffer to, Uuid server) {
-    to.putInt(MAGIC).putInt(VERSION << 24);
+  /**
+   * Writes a client's greeting.
+   *
+   * @param isEncrypted whether TLS follows
+   */
+  static void putClient(ByteBuffer to, Uuid server, boolean isEncrypted) {
+    to.putInt(MAGIC).putInt(VERSION << 24 | (isEncrypted ? ENCRYPTED : 0));
     to.putLong(server.getMostSignificantBits()).putLong(server.getLeastSignificantBits());
   }
 
@@ -53,17 +76,23 @@ final class Greeting {
    * Reads a client's greeting.
    *
    * @param own ID of this server
+   * @param isEncrypted whether this server encrypts
    * @return the answer to it
    * @throws IOException if it is none
    */
-  static Answer readClient(ByteBuffer from, Uuid own) throws IOException {
+  static Answer readClient(ByteBuffer from, Uuid own, boolean isEncrypted) throws IOException {
     if (from.getInt() != MAGIC) {
       throw new IOException("the peer is no client of this protocol");
     }
-    int version = from.getInt() >>> 24;
+    int head = from.getInt();
+    int version = head >>> 24;
+    boolean wantsEncryption = (head & ENCRYPTED) != 0;
     Uuid wanted = UuidFactory.create(from.getLong(), from.getLong());
     if (version != VERSION) {
       return Answer.OTHER_VERSION;
+    }
+    if (wantsEncryption != isEncrypted) {
+      return isEncrypted ? Answer.ENCRYPTED_ONLY : Answer.NOT_ENCRYPTED;
     }
     return wanted.equals(ANY_SERVER) || wanted.equals(own) ? Answer.WELCOME : Answer.OTHER_SERVER;
   }

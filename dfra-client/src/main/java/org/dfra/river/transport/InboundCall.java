@@ -10,6 +10,7 @@ import java.util.Collection;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.io.UnsupportedConstraintException;
 import net.jini.jeri.InboundRequest;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A request that has arrived, and its response. Used by the worker that serves the connection.
@@ -51,7 +52,12 @@ final class InboundCall implements InboundRequest, MessageOutput.Sender, Message
   @Override
   public InvocationConstraints checkConstraints(InvocationConstraints constraints)
       throws UnsupportedConstraintException {
-    return TransportConstraints.check(constraints);
+    @Nullable ChannelIdentity identity = connection.port().identity();
+    @Nullable ChannelPeer client = connection.link().partner();
+    return identity == null || client == null
+        ? TransportConstraints.checkPlain(constraints)
+        : TransportConstraints.checkEncrypted(
+            constraints, client.subject().getPrincipals(), identity.subject().getPrincipals());
   }
 
   @Override

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.SelectableChannel;
 import java.util.Collection;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The bytes of one established connection, in both directions, and what is known of the peer. Plain
@@ -37,6 +38,12 @@ interface Link extends Closeable {
 
   /** Ends the wait of a thread that reads: it gets the end, and so does every later one. */
   void endInput() throws IOException;
+
+  /** Whether bytes are here that reading returns at once, and the channel no longer announces. */
+  boolean hasReceived();
+
+  /** Who the peer has proved to be; null on a link without encryption. */
+  @Nullable ChannelPeer partner();
 
   /** The channel to select on. */
   SelectableChannel channel();

@@ -129,6 +129,16 @@ final class PollingLink implements Link {
   }
 
   @Override
+  public boolean hasReceived() {
+    return link.hasReceived();
+  }
+
+  @Override
+  public @Nullable ChannelPeer partner() {
+    return link.partner();
+  }
+
+  @Override
   public SelectableChannel channel() {
     return link.channel();
   }

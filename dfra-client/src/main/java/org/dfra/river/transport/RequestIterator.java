@@ -15,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 final class RequestIterator implements OutboundRequestIterator {
 
   private final ClientConnections connections;
+  private final InvocationConstraints constraints;
   private final InvocationConstraints unfulfilled;
   private @Nullable OutboundCall used;
   private boolean isOver;
@@ -28,14 +29,24 @@ final class RequestIterator implements OutboundRequestIterator {
   static OutboundRequestIterator of(
       ClientConnections connections, InvocationConstraints constraints) {
     try {
-      return new RequestIterator(connections, TransportConstraints.check(constraints));
+      @Nullable ChannelIdentity identity = connections.identity();
+      InvocationConstraints unfulfilled =
+          identity == null
+              ? TransportConstraints.checkPlain(constraints)
+              : TransportConstraints.checkEncrypted(
+                  constraints, identity.subject().getPrincipals(), null);
+      return new RequestIterator(connections, constraints, unfulfilled);
     } catch (UnsupportedConstraintException e) {
       return new Refusal(e);
     }
   }
 
-  private RequestIterator(ClientConnections connections, InvocationConstraints unfulfilled) {
+  private RequestIterator(
+      ClientConnections connections,
+      InvocationConstraints constraints,
+      InvocationConstraints unfulfilled) {
     this.connections = connections;
+    this.constraints = constraints;
     this.unfulfilled = unfulfilled;
   }
 
@@ -53,10 +64,36 @@ final class RequestIterator implements OutboundRequestIterator {
     isOver = true;
     used = null;
     if (idle != null) {
-      used = new OutboundCall(idle, connections, unfulfilled);
+      used = call(idle);
       return used;
     }
-    return new OutboundCall(connections.open(), connections, unfulfilled);
+    return call(connections.open());
+  }
+
+  private OutboundCall call(ClientConnection connection) throws UnsupportedConstraintException {
+    @Nullable ChannelIdentity identity = connections.identity();
+    @Nullable ChannelPeer server = connection.link().partner();
+    if (identity != null && server != null && !constraints.isEmpty()) {
+      checkServer(connection, identity, server);
+    }
+    return new OutboundCall(connection, connections, unfulfilled);
+  }
+
+  /** Only a connection shows who the server is. */
+  private void checkServer(
+      ClientConnection connection, ChannelIdentity identity, ChannelPeer server)
+      throws UnsupportedConstraintException {
+    boolean isMet = false;
+    try {
+      InvocationConstraints unused =
+          TransportConstraints.checkEncrypted(
+              constraints, identity.subject().getPrincipals(), server.subject().getPrincipals());
+      isMet = true;
+    } finally {
+      if (!isMet) {
+        connections.giveBack(connection); // others may call this server
+      }
+    }
   }
 
   /** A call whose constraints cannot be met. */

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * One connection of a client. Either the selector has it, or a worker serves it:
  *
  * <pre>
- *   GREETING -&gt; IDLE -&gt; PARTIAL -&gt; | SERVING -&gt; WAITING -&gt; SERVING ... | -&gt; IDLE
+ *   GREETING [-&gt; HANDSHAKE] -&gt; IDLE -&gt; PARTIAL -&gt; | SERVING -&gt; WAITING -&gt; SERVING ... | -&gt; IDLE
  *               selector              | worker                           |
  * </pre>
  *
@@ -24,6 +24,8 @@ final class ServerConnection implements Runnable {
   enum State {
     /** The selector, until the client's greeting is complete. */
     GREETING,
+    /** The selector, or a thread for handshakes, until it is encrypted. */
+    HANDSHAKE,
     /** The selector, until a request begins. */
     IDLE,
     /** The selector, until the first block of a request is complete. */
@@ -48,7 +50,7 @@ final class ServerConnection implements Runnable {
   private static final byte[] NOTHING = {};
 
   private final ServerPort port;
-  private final Link link;
+  private volatile Link link;
   private final ConnectionSelector selector;
   private final ConnectionLimits limits;
 
@@ -78,6 +80,14 @@ final class ServerConnection implements Runnable {
 
   Link link() {
     return link;
+  }
+
+  /** Encrypts what follows. For the selector, after the greeting. */
+  TlsLink beginHandshake(ChannelIdentity identity) {
+    TlsLink encrypted = TlsLink.server(link, identity);
+    link = encrypted;
+    enter(State.HANDSHAKE);
+    return encrypted;
   }
 
   State state() {

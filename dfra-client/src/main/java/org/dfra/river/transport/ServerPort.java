@@ -23,6 +23,7 @@ final class ServerPort {
   private final Uuid id;
   private final InetAddress host;
   private final RequestDispatcher dispatcher;
+  private final @Nullable ChannelIdentity identity;
   private final ServerSocketChannel tcp;
   private final @Nullable ServerSocketChannel unix;
   private final @Nullable LocalSocket local;
@@ -32,12 +33,14 @@ final class ServerPort {
       Uuid id,
       InetAddress host,
       RequestDispatcher dispatcher,
+      @Nullable ChannelIdentity identity,
       ServerSocketChannel tcp,
       @Nullable ServerSocketChannel unix)
       throws IOException {
     this.id = id;
     this.host = host;
     this.dispatcher = dispatcher;
+    this.identity = identity;
     this.tcp = tcp;
     this.unix = unix;
     this.local = unix == null ? null : new LocalSocket(ComputerId.OWN, SocketFolder.path(unix), id);
@@ -49,10 +52,15 @@ final class ServerPort {
    * @param host the address of this computer to listen on
    * @param port TCP port, or 0 for one that the system chooses
    * @param isLocalToo whether to listen on a Unix-domain socket too
+   * @param identity encrypts all connections; null for none
    * @throws IOException if the port is taken or the address is none of this computer
    */
   static ServerPort open(
-      InetAddress host, int port, boolean isLocalToo, RequestDispatcher dispatcher)
+      InetAddress host,
+      int port,
+      boolean isLocalToo,
+      RequestDispatcher dispatcher,
+      @Nullable ChannelIdentity identity)
       throws IOException {
     ServerSocketChannel tcp = ServerSocketChannel.open();
     @Nullable ServerSocketChannel unix = null;
@@ -61,7 +69,7 @@ final class ServerPort {
       tcp.bind(new InetSocketAddress(host, port), BACKLOG);
       Uuid id = UuidFactory.generate();
       unix = isLocalToo ? SocketFolder.listen(id, BACKLOG) : null;
-      ServerPort opened = new ServerPort(id, host, dispatcher, tcp, unix);
+      ServerPort opened = new ServerPort(id, host, dispatcher, identity, tcp, unix);
       tcp.configureBlocking(false);
       if (unix != null) {
         unix.configureBlocking(false);
@@ -92,6 +100,11 @@ final class ServerPort {
   /** Identifies this server. */
   Uuid id() {
     return id;
+  }
+
+  /** Encrypts all connections; null if none is encrypted. */
+  @Nullable ChannelIdentity identity() {
+    return identity;
   }
 
   RequestDispatcher dispatcher() {

@@ -13,6 +13,7 @@ import java.util.Collection;
 import jdk.net.ExtendedSocketOptions;
 import jdk.net.UnixDomainPrincipal;
 import net.jini.io.context.ClientHost;
+import org.jspecify.annotations.Nullable;
 
 /** A link without encryption: a TCP connection, or one of a Unix-domain socket. */
 final class SocketLink implements Link {
@@ -94,6 +95,16 @@ final class SocketLink implements Link {
   @Override
   public void endInput() throws IOException {
     channel.shutdownInput();
+  }
+
+  @Override
+  public boolean hasReceived() {
+    return false;
+  }
+
+  @Override
+  public @Nullable ChannelPeer partner() {
+    return null;
   }
 
   @Override

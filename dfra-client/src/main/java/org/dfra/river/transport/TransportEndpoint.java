@@ -19,6 +19,9 @@ import org.jspecify.annotations.Nullable;
  * The client's side of a {@link TransportServerEndpoint}: where it listens, by TCP and, for clients
  * on its own computer, by a Unix-domain socket.
  *
+ * <p>If the {@linkplain CurrentIdentity current identity} is that of a member of a team, calls are
+ * encrypted, and only members answer them.
+ *
  * <p>Equal endpoints with the same local socket share their connections. Each request has a
  * connection of its own while it lasts.
  */
@@ -37,7 +40,11 @@ public final class TransportEndpoint implements AbortableEndpoint, TrustEquivale
   private final long serverHigh;
   private final long serverLow;
 
+  /** Whether its server encrypts, for a client that has joined no team; others encrypt always. */
+  private final boolean isEncrypted;
+
   private transient @Nullable LocalSocket local;
+  private transient @Nullable ChannelIdentity identity;
   private transient volatile ClientConnections.@Nullable Key key;
 
   /**
@@ -52,6 +59,13 @@ public final class TransportEndpoint implements AbortableEndpoint, TrustEquivale
   }
 
   TransportEndpoint(String host, int port, @Nullable LocalSocket local) {
+    this(host, port, local, CurrentIdentity.get());
+  }
+
+  TransportEndpoint(
+      String host, int port, @Nullable LocalSocket local, @Nullable ChannelIdentity identity) {
+    this.identity = identity;
+    this.isEncrypted = identity != null;
     this.host = Objects.requireNonNull(host, "host");
     this.port = port;
     this.local = local;
@@ -84,11 +98,16 @@ public final class TransportEndpoint implements AbortableEndpoint, TrustEquivale
     return RequestIterator.of(ClientConnections.to(this), constraints);
   }
 
+  /** Who its client is; null if its calls are not encrypted. */
+  @Nullable ChannelIdentity identity() {
+    return identity == null && isEncrypted ? AnonymousIdentity.instance() : identity;
+  }
+
   /** What its calls share connections by. */
   ClientConnections.Key key() {
     ClientConnections.Key made = key;
     if (made == null) {
-      made = new ClientConnections.Key(this, local, null, 0);
+      made = new ClientConnections.Key(this, local, identity(), null, 0);
       key = made; // equal ones may be made at once
     }
     return made;
@@ -134,6 +153,7 @@ public final class TransportEndpoint implements AbortableEndpoint, TrustEquivale
 
   private void readObject(ObjectInputStream in) throws IOException, ClassNotFoundException {
     in.defaultReadObject();
+    identity = CurrentIdentity.get();
     if (host == null || port < 1 || port > MAX_PORT || (path == null) != (computer == null)) {
       throw new InvalidObjectException("an endpoint of host " + host + " and port " + port);
     }

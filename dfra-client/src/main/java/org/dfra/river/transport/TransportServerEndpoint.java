@@ -10,7 +10,9 @@ import net.jini.io.UnsupportedConstraintException;
 import net.jini.jeri.Endpoint;
 import net.jini.jeri.RequestDispatcher;
 import net.jini.jeri.ServerEndpoint;
+import org.dfra.river.access.GuardedEndpoint;
 import org.dfra.river.access.ListeningHost;
+import org.dfra.security.Guard;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -23,13 +25,18 @@ import org.jspecify.annotations.Nullable;
  *   exporter = JeriExporters.keepingAlive(new TransportServerEndpoint("192.0.2.10", 0), factory);
  * </pre>
  *
+ * <p>If the {@linkplain CurrentIdentity current identity} is that of a member of a team, it accepts
+ * encrypted connections only.
+ *
  * <p>Objects that are exported on equal endpoints share the port.
  */
-public final class TransportServerEndpoint implements ServerEndpoint, ListeningHost {
+public final class TransportServerEndpoint
+    implements ServerEndpoint, ListeningHost, GuardedEndpoint {
 
   private final String host;
   private final int port;
   private final boolean isLocalToo;
+  private final @Nullable ChannelIdentity identity;
 
   /**
    * An endpoint that all clients reach by TCP.
@@ -38,10 +45,12 @@ public final class TransportServerEndpoint implements ServerEndpoint, ListeningH
    * @param port TCP port, or 0 for one that the system chooses
    */
   public TransportServerEndpoint(String host, int port) {
-    this(host, port, false);
+    this(host, port, false, CurrentIdentity.get());
   }
 
-  private TransportServerEndpoint(String host, int port, boolean isLocalToo) {
+  private TransportServerEndpoint(
+      String host, int port, boolean isLocalToo, @Nullable ChannelIdentity identity) {
+    this.identity = identity;
     this.host = Objects.requireNonNull(host, "host");
     this.port = port;
     this.isLocalToo = isLocalToo;
@@ -54,7 +63,7 @@ public final class TransportServerEndpoint implements ServerEndpoint, ListeningH
    * @param port TCP port, or 0 for one that the system chooses
    */
   public static TransportServerEndpoint withLocalSocket(String host, int port) {
-    return new TransportServerEndpoint(host, port, true);
+    return new TransportServerEndpoint(host, port, true, CurrentIdentity.get());
   }
 
   @Override
@@ -65,17 +74,30 @@ public final class TransportServerEndpoint implements ServerEndpoint, ListeningH
   @Override
   public InvocationConstraints checkConstraints(InvocationConstraints constraints)
       throws UnsupportedConstraintException {
-    return TransportConstraints.check(constraints);
+    return identity == null
+        ? TransportConstraints.checkPlain(constraints)
+        : TransportConstraints.checkEncrypted(
+            constraints, null, identity.subject().getPrincipals());
+  }
+
+  @Override
+  public @Nullable Guard guard() {
+    return identity == null ? null : identity.guard();
+  }
+
+  @Override
+  public String robot() {
+    return identity == null ? "" : identity.robot();
   }
 
   @Override
   public Endpoint enumerateListenEndpoints(ListenContext context) throws IOException {
-    Listening listening = new Listening(host, port, isLocalToo);
+    Listening listening = new Listening(host, port, isLocalToo, identity);
     ListenCookie cookie = context.addListenEndpoint(listening);
     if (!(cookie instanceof Cookie its)) {
       throw new IllegalArgumentException("a cookie of " + cookie.getClass().getName());
     }
-    return new TransportEndpoint(host, its.port, its.local);
+    return new TransportEndpoint(host, its.port, its.local, identity);
   }
 
   @Override
@@ -83,7 +105,8 @@ public final class TransportServerEndpoint implements ServerEndpoint, ListeningH
     return other instanceof TransportServerEndpoint endpoint
         && endpoint.host.equals(host)
         && endpoint.port == port
-        && endpoint.isLocalToo == isLocalToo;
+        && endpoint.isLocalToo == isLocalToo
+        && endpoint.identity == identity;
   }
 
   @Override
@@ -100,7 +123,9 @@ public final class TransportServerEndpoint implements ServerEndpoint, ListeningH
   private record Cookie(int port, @Nullable LocalSocket local) implements ListenCookie {}
 
   /** Where it listens. JERI compares these to share one port among objects. */
-  private record Listening(String host, int port, boolean isLocalToo) implements ListenEndpoint {
+  private record Listening(
+      String host, int port, boolean isLocalToo, @Nullable ChannelIdentity identity)
+      implements ListenEndpoint {
 
     /** There are no permissions without a security manager. */
     @Override
@@ -108,7 +133,7 @@ public final class TransportServerEndpoint implements ServerEndpoint, ListeningH
 
     private ServerPort open(RequestDispatcher dispatcher) throws IOException {
       try {
-        return ServerPort.open(InetAddress.getByName(host), port, isLocalToo, dispatcher);
+        return ServerPort.open(InetAddress.getByName(host), port, isLocalToo, dispatcher, identity);
       } catch (UnknownHostException e) {
         throw because(
             new UnknownHostException(

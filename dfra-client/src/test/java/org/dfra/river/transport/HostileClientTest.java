@@ -128,7 +128,7 @@ class HostileClientTest {
 
   private static byte[] greeting() {
     ByteBuffer bytes = ByteBuffer.allocate(Greeting.CLIENT_BYTES);
-    Greeting.putClient(bytes, Greeting.ANY_SERVER);
+    Greeting.putClient(bytes, Greeting.ANY_SERVER, false);
     return bytes.array();
   }
 

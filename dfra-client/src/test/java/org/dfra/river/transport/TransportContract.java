@@ -23,6 +23,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import net.jini.core.constraint.Confidentiality;
 import net.jini.core.constraint.Integrity;
 import net.jini.core.constraint.InvocationConstraint;
 import net.jini.core.constraint.InvocationConstraints;
@@ -61,6 +62,16 @@ abstract class TransportContract {
   Endpoint endpoint;
 
   abstract ServerEndpoint serverEndpoint();
+
+  /** A constraint that no connection of this transport meets. */
+  InvocationConstraint unmetConstraint() {
+    return Confidentiality.YES;
+  }
+
+  /** The integrity that connections of this transport have. */
+  Integrity integrity() {
+    return Integrity.NO;
+  }
 
   @BeforeEach
   void listen() throws IOException {
@@ -274,21 +285,20 @@ abstract class TransportContract {
 
   @Test
   void aConstraintThatCannotBeMetIsRefused() {
-    InvocationConstraints integrity =
-        new InvocationConstraints(
-            new InvocationConstraint[] {net.jini.core.constraint.Confidentiality.YES}, null);
-    assertThatThrownBy(() -> endpoint.newRequest(integrity).next())
+    InvocationConstraints unmet =
+        new InvocationConstraints(new InvocationConstraint[] {unmetConstraint()}, null);
+    assertThatThrownBy(() -> endpoint.newRequest(unmet).next())
         .isInstanceOf(UnsupportedConstraintException.class);
-    assertThatThrownBy(() -> serverEndpoint().checkConstraints(integrity))
+    assertThatThrownBy(() -> serverEndpoint().checkConstraints(unmet))
         .isInstanceOf(UnsupportedConstraintException.class);
   }
 
   @Test
   void integrityRemainsForTheLayerAbove() throws Exception {
     InvocationConstraints none =
-        new InvocationConstraints(new InvocationConstraint[] {Integrity.NO}, null);
+        new InvocationConstraints(new InvocationConstraint[] {integrity()}, null);
     OutboundRequest request = endpoint.newRequest(none).next();
-    assertThat(request.getUnfulfilledConstraints().requirements()).containsExactly(Integrity.NO);
+    assertThat(request.getUnfulfilledConstraints().requirements()).containsExactly(integrity());
     request.abort();
   }
 

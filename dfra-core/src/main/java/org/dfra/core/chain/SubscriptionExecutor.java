@@ -12,7 +12,8 @@ import org.slf4j.LoggerFactory;
  * other. In lock-step the tasks run on the scheduler, one after the other.
  *
  * <p>Threads: at most {@value #MOST} daemons for all modules of this virtual machine, {@code
- * dfra-subscribe-n}, which end when idle.
+ * dfra-subscribe-n}, and as many for what had failed, {@code dfra-resubscribe-n}, so that inputs
+ * that do not answer delay no new one. They end when idle.
  */
 final class SubscriptionExecutor {
 
@@ -26,6 +27,9 @@ final class SubscriptionExecutor {
   private static final ThreadPoolExecutor THREADS =
       BoundedThreads.create("dfra-subscribe-", MOST, IDLE_SECONDS);
 
+  private static final ThreadPoolExecutor REPEATS =
+      BoundedThreads.create("dfra-resubscribe-", MOST, IDLE_SECONDS);
+
   private final Scheduler scheduler;
 
   SubscriptionExecutor(Scheduler scheduler) {
@@ -37,23 +41,23 @@ final class SubscriptionExecutor {
     if (scheduler.isLockStep()) {
       task.run();
     } else {
-      start(withLoaderOfCaller(task));
+      start(withLoaderOfCaller(task), THREADS);
     }
   }
 
-  /** Runs a task after a delay, with the context class loader of this call. */
+  /** Repeats a task after a delay, with the context class loader of this call. */
   void schedule(long nanos, Runnable task) {
     Runnable due = scheduler.isLockStep() ? task : withLoaderOfCaller(task);
     Scheduler.ScheduledTask unused =
-        scheduler.after(nanos, scheduler.isLockStep() ? due : () -> start(due));
+        scheduler.after(nanos, scheduler.isLockStep() ? due : () -> start(due, REPEATS));
   }
 
-  private void start(Runnable task) {
+  private void start(Runnable task, ThreadPoolExecutor threads) {
     try {
-      THREADS.execute(task);
+      threads.execute(task);
     } catch (OutOfMemoryError e) { // no further thread
       LOG.warn("Input modules cannot be subscribed to now; this is tried again: {}", e.toString());
-      Scheduler.ScheduledTask unused = scheduler.after(RETRY_NANOS, () -> start(task));
+      Scheduler.ScheduledTask unused = scheduler.after(RETRY_NANOS, () -> start(task, threads));
     }
   }
 

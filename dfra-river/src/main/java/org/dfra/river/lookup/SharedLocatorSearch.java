@@ -26,7 +26,8 @@ import org.slf4j.LoggerFactory;
  * its users has the lookup service, it has no thread and makes no call.
  *
  * <p>Threads: daemons, {@code dfra-locator-n}, one for an attempt in progress, at most {@value
- * #MOST} for all locators; {@code dfra-found-n} notify.
+ * #MOST} for all locators, and as many, {@code dfra-relocate-n}, at locators whose last attempt has
+ * failed, so that those delay no other; {@code dfra-found-n} notify.
  */
 final class SharedLocatorSearch {
 
@@ -41,6 +42,9 @@ final class SharedLocatorSearch {
   private static final int IDLE_SECONDS = 10;
   private static final ThreadPoolExecutor THREADS =
       BoundedThreads.create("dfra-locator-", MOST, IDLE_SECONDS);
+
+  private static final ThreadPoolExecutor REPEATS =
+      BoundedThreads.create("dfra-relocate-", MOST, IDLE_SECONDS);
 
   /** Notify new users, which do not wait for attempts. */
   private static final ThreadPoolExecutor NOTIFIERS = CallThreads.pool("dfra-found-");
@@ -87,6 +91,10 @@ final class SharedLocatorSearch {
 
   @GuardedBy("this")
   private boolean complained;
+
+  /** Whether the last attempt has. */
+  @GuardedBy("this")
+  private boolean hasFailed;
 
   private SharedLocatorSearch(Shareable at) {
     this.at = at;
@@ -157,10 +165,11 @@ final class SharedLocatorSearch {
       return;
     }
     isSearching = true;
+    ThreadPoolExecutor threads = hasFailed ? REPEATS : THREADS;
     if (nanos <= 0) {
-      execute(this::search, THREADS);
+      execute(this::search, threads);
     } else {
-      next = Scheduler.system().after(nanos, () -> execute(this::search, THREADS));
+      next = Scheduler.system().after(nanos, () -> execute(this::search, threads));
     }
   }
 
@@ -203,6 +212,7 @@ final class SharedLocatorSearch {
     LocatedRegistrar fresh = registrar;
     synchronized (this) {
       isSearching = false;
+      hasFailed = false;
       found = fresh;
       foundAt = System.nanoTime();
       for (User each : users) {
@@ -217,6 +227,7 @@ final class SharedLocatorSearch {
 
   private synchronized void searchAgain() {
     isSearching = false;
+    hasFailed = true;
     searchAfter(at.retry().toNanos());
   }
 

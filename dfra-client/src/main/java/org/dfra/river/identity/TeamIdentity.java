@@ -1,0 +1,292 @@
+package org.dfra.river.identity;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.security.GeneralSecurityException;
+import java.security.Principal;
+import java.security.PrivateKey;
+import java.security.PublicKey;
+import java.security.cert.X509Certificate;
+import java.time.Clock;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import javax.net.ssl.KeyManager;
+import javax.net.ssl.SSLContext;
+import javax.net.ssl.SSLEngine;
+import javax.net.ssl.SSLPeerUnverifiedException;
+import javax.net.ssl.SSLSession;
+import javax.net.ssl.TrustManager;
+import javax.security.auth.Subject;
+import javax.security.auth.x500.X500Principal;
+import net.jini.core.constraint.InvocationConstraint;
+import net.jini.core.constraint.InvocationConstraints;
+import net.jini.core.constraint.ServerAuthentication;
+import net.jini.core.constraint.ServerMinPrincipal;
+import org.dfra.river.access.NumericAddress;
+import org.dfra.river.access.OwnAddresses;
+import org.dfra.river.transport.ChannelIdentity;
+import org.dfra.river.transport.ChannelPeer;
+import org.dfra.security.Caller;
+import org.dfra.security.Caller.Standing;
+import org.dfra.security.Guard;
+import org.dfra.security.Member;
+import org.dfra.security.MemberRole;
+import org.jspecify.annotations.Nullable;
+
+/** A member of a team at one end of encrypted connections. */
+public final class TeamIdentity implements ChannelIdentity {
+
+  private static final String[] PROTOCOLS = {"TLSv1.3"};
+  private static final String[] SUITES = {
+    "TLS_AES_128_GCM_SHA256", "TLS_AES_256_GCM_SHA384", "TLS_CHACHA20_POLY1305_SHA256"
+  };
+
+  /** The longest time between two full handshakes of a client and a server. */
+  private static final int SESSION_SECONDS = 3600;
+
+  private static final Subject NOBODY = new Subject(true, Set.of(), Set.of(), Set.of());
+
+  private final Member member;
+  private final Subject subject;
+  private final MemberTrust trust;
+  private final Guard guard;
+  private final SSLContext context;
+  private final boolean believesExpired;
+
+  /**
+   * The key of a member.
+   *
+   * @param key its private key
+   * @param chain the key's certificate first; the authority's may follow
+   */
+  public record Key(PrivateKey key, List<X509Certificate> chain) {
+
+    /** Copies the chain. */
+    public Key {
+      chain = List.copyOf(chain);
+    }
+
+    PublicKey publicKey() {
+      return chain.get(0).getPublicKey();
+    }
+  }
+
+  /**
+   * What an identity consists of.
+   *
+   * @param member who it is
+   * @param key what it presents
+   * @param otherOwn further public keys that only this robot or person has
+   * @param principals those that logging in has given it, the member excluded
+   * @param revoked certificates, with the authority that revokes them
+   * @param authority the team's
+   * @param guard decides about calls to what is exported
+   * @param believesExpired whether servers with an expired certificate are called, which only
+   *     stopping them needs
+   */
+  public record Settings(
+      Member member,
+      Key key,
+      Set<PublicKey> otherOwn,
+      Set<Principal> principals,
+      X509Certificate authority,
+      RevokedCertificates revoked,
+      Guard guard,
+      boolean believesExpired) {}
+
+  /**
+   * An identity.
+   *
+   * @param clock for the validity of certificates
+   * @throws GeneralSecurityException if this virtual machine cannot use the key with TLS 1.3
+   */
+  public TeamIdentity(Settings settings, Clock clock) throws GeneralSecurityException {
+    this.member = settings.member();
+    this.guard = settings.guard();
+    this.believesExpired = settings.believesExpired();
+    X509Certificate certificate = settings.key().chain().get(0);
+    Set<Principal> principals = new LinkedHashSet<>(settings.principals());
+    principals.add(member);
+    principals.add(member.x500());
+    principals.add(certificate.getSubjectX500Principal());
+    this.subject = new Subject(true, principals, Set.of(certificate), Set.of());
+    Set<PublicKey> own = new HashSet<>(settings.otherOwn());
+    own.add(settings.key().publicKey());
+    this.trust =
+        new MemberTrust(settings.authority(), member.team(), own, settings.revoked(), clock);
+    this.context = SSLContext.getInstance("TLSv1.3");
+    context.init(
+        new KeyManager[] {new OwnKey(settings.key().key(), settings.key().chain())},
+        new TrustManager[] {trust},
+        null);
+    context.getServerSessionContext().setSessionTimeout(SESSION_SECONDS);
+    context.getClientSessionContext().setSessionTimeout(SESSION_SECONDS);
+  }
+
+  /** Who it is. */
+  public Member member() {
+    return member;
+  }
+
+  @Override
+  public SSLEngine clientEngine(String host, int port) {
+    SSLEngine engine = engine(host, port);
+    engine.setUseClientMode(true);
+    return engine;
+  }
+
+  @Override
+  public SSLEngine serverEngine() {
+    SSLEngine engine = context.createSSLEngine();
+    engine.setUseClientMode(false);
+    engine.setWantClientAuth(true);
+    return narrowed(engine);
+  }
+
+  private SSLEngine engine(String host, int port) {
+    return narrowed(context.createSSLEngine(host, port));
+  }
+
+  private static SSLEngine narrowed(SSLEngine engine) {
+    engine.setEnabledProtocols(PROTOCOLS);
+    engine.setEnabledCipherSuites(SUITES);
+    return engine;
+  }
+
+  @Override
+  public ChannelPeer peer(SSLSession session, String address, boolean isServer) throws IOException {
+    X509Certificate certificate;
+    try {
+      certificate = (X509Certificate) session.getPeerCertificates()[0];
+    } catch (SSLPeerUnverifiedException e) {
+      if (isServer) {
+        throw e;
+      }
+      return new Stranger(Caller.stranger(address));
+    }
+    Known known = new Known(member(certificate), certificate, address);
+    Standing standing = known.standing();
+    boolean isBelieved =
+        standing == Standing.OWN
+            || standing == Standing.MEMBER
+            || (standing == Standing.EXPIRED && (!isServer || believesExpired));
+    if (!isBelieved) { // a resumed session was checked long ago
+      throw new IOException(known.who + " is not called or answered: " + reason(certificate));
+    }
+    return known;
+  }
+
+  private String reason(X509Certificate certificate) {
+    return trust.isRevoked(certificate)
+        ? "its certificate is revoked"
+        : "its certificate is valid from "
+            + certificate.getNotBefore().toInstant()
+            + " until "
+            + certificate.getNotAfter().toInstant();
+  }
+
+  /** The key that a robot's processes have among themselves has no name of a member. */
+  private Member member(X509Certificate certificate) {
+    return trust.standing(certificate) == Standing.OWN
+        ? member
+        : Member.of(certificate.getSubjectX500Principal());
+  }
+
+  @Override
+  public Subject subject() {
+    return subject;
+  }
+
+  @Override
+  public String robot() {
+    return member.role() == MemberRole.ROBOT ? member.name() : "";
+  }
+
+  @Override
+  public InvocationConstraints requiredOfRobot(String name) {
+    X500Principal robot = new Member(member.team(), MemberRole.ROBOT, name).x500();
+    return new InvocationConstraints(
+        new InvocationConstraint[] {ServerAuthentication.YES, new ServerMinPrincipal(robot)},
+        new InvocationConstraint[0]);
+  }
+
+  @Override
+  public Guard guard() {
+    return guard;
+  }
+
+  @Override
+  public String toString() {
+    return member.toString();
+  }
+
+  /** A peer with a certificate. */
+  private final class Known implements ChannelPeer {
+
+    private final Member who;
+    private final X509Certificate certificate;
+    private final String address;
+    private final boolean isLocal;
+    private final Subject subject;
+
+    Known(Member who, X509Certificate certificate, String address) {
+      this.who = who;
+      this.certificate = certificate;
+      this.address = address;
+      @Nullable InetAddress from = NumericAddress.parse(address);
+      this.isLocal = from != null && OwnAddresses.isAlwaysLocal(from);
+      Set<Principal> principals = new LinkedHashSet<>();
+      principals.add(who);
+      principals.add(who.x500());
+      principals.add(certificate.getSubjectX500Principal());
+      this.subject = new Subject(true, principals, Set.of(certificate), Set.of());
+    }
+
+    @Override
+    public Caller caller() {
+      Standing standing = standing();
+      return standing == Standing.STRANGER
+          ? Caller.stranger(address)
+          : new Caller(standing, Optional.of(who), address);
+    }
+
+    @Override
+    public Subject subject() {
+      return subject;
+    }
+
+    /** A revoked key may be in other hands: elsewhere it is nobody's. */
+    private Standing standing() {
+      Standing standing = trust.standing(certificate);
+      return standing == Standing.OWN && trust.isRevoked(certificate) && !isLocal
+          ? Standing.STRANGER
+          : standing;
+    }
+
+    @Override
+    public boolean isRevoked() {
+      return standing() == Standing.STRANGER;
+    }
+
+    @Override
+    public String toString() {
+      return who.toString();
+    }
+  }
+
+  private record Stranger(Caller caller) implements ChannelPeer {
+
+    @Override
+    public Subject subject() {
+      return NOBODY;
+    }
+
+    @Override
+    public boolean isRevoked() {
+      return false;
+    }
+  }
+}

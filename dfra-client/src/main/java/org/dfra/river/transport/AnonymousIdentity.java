@@ -1,0 +1,121 @@
+package org.dfra.river.transport;
+
+import java.security.GeneralSecurityException;
+import java.security.cert.X509Certificate;
+import java.util.Optional;
+import java.util.Set;
+import javax.net.ssl.SSLContext;
+import javax.net.ssl.SSLEngine;
+import javax.net.ssl.SSLSession;
+import javax.net.ssl.TrustManager;
+import javax.net.ssl.X509TrustManager;
+import javax.security.auth.Subject;
+import net.jini.core.constraint.InvocationConstraints;
+import org.dfra.security.Caller;
+import org.dfra.security.Decision;
+import org.dfra.security.Guard;
+
+/**
+ * A client that has joined no team. It has no certificate, and cannot know whose the server's is:
+ * its calls are encrypted, but it is a stranger to all servers, and they to it.
+ */
+final class AnonymousIdentity implements ChannelIdentity {
+
+  private static final Subject NOBODY = new Subject(true, Set.of(), Set.of(), Set.of());
+
+  private final SSLContext context;
+
+  private static final class Holder {
+    static final AnonymousIdentity INSTANCE = new AnonymousIdentity();
+  }
+
+  private AnonymousIdentity() {
+    try {
+      context = SSLContext.getInstance("TLSv1.3");
+      context.init(null, new TrustManager[] {new Anybody()}, null);
+    } catch (GeneralSecurityException e) {
+      throw new IllegalStateException("this Java virtual machine has no TLS 1.3", e);
+    }
+  }
+
+  static AnonymousIdentity instance() {
+    return Holder.INSTANCE;
+  }
+
+  @Override
+  public SSLEngine clientEngine(String host, int port) {
+    SSLEngine engine = context.createSSLEngine(host, port);
+    engine.setUseClientMode(true);
+    return engine;
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @throws IllegalStateException always: nothing is exported without a certificate
+   */
+  @Override
+  public SSLEngine serverEngine() {
+    throw new IllegalStateException("a server needs a certificate");
+  }
+
+  @Override
+  public ChannelPeer peer(SSLSession session, String address, boolean isServer) {
+    return new Unknown(new Caller(Caller.Standing.STRANGER, Optional.empty(), address));
+  }
+
+  @Override
+  public Subject subject() {
+    return NOBODY;
+  }
+
+  @Override
+  public String robot() {
+    return "";
+  }
+
+  @Override
+  public InvocationConstraints requiredOfRobot(String name) {
+    return InvocationConstraints.EMPTY;
+  }
+
+  @Override
+  public Guard guard() {
+    return request -> Decision.deny("anonymous", "nothing is exported without a certificate");
+  }
+
+  @Override
+  public String toString() {
+    return "a program that has joined no team";
+  }
+
+  private record Unknown(Caller caller) implements ChannelPeer {
+
+    @Override
+    public Subject subject() {
+      return NOBODY;
+    }
+
+    @Override
+    public boolean isRevoked() {
+      return false;
+    }
+  }
+
+  /** Believes no server more than another: without an authority there is nothing to check. */
+  private static final class Anybody implements X509TrustManager {
+
+    @Override
+    public void checkClientTrusted(X509Certificate[] chain, String type) {
+      throw new IllegalStateException("a server needs a certificate");
+    }
+
+    @Override
+    public void checkServerTrusted(X509Certificate[] chain, String type) {}
+
+    @Override
+    public X509Certificate[] getAcceptedIssuers() {
+      return new X509Certificate[0];
+    }
+  }
+}

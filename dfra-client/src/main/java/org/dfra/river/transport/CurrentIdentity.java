@@ -1,0 +1,73 @@
+package org.dfra.river.transport;
+
+import java.util.concurrent.Callable;
+import net.jini.core.constraint.InvocationConstraints;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The identity that endpoints get when they are made or received: that of the thread if it has one,
+ * otherwise that of the process. Calls leave on many threads, so it is not looked up for each call.
+ */
+public final class CurrentIdentity {
+
+  private static final ThreadLocal<@Nullable ChannelIdentity> OF_THREAD = new ThreadLocal<>();
+
+  private static volatile @Nullable ChannelIdentity ofProcess;
+
+  private CurrentIdentity() {}
+
+  /** The identity for a new endpoint; null if its calls are not encrypted. */
+  static @Nullable ChannelIdentity get() {
+    @Nullable ChannelIdentity own = OF_THREAD.get();
+    return own == null ? ofProcess : own;
+  }
+
+  /** Whether what this thread exports is encrypted, and nothing else may be exported. */
+  public static boolean isSecure() {
+    return get() != null;
+  }
+
+  /**
+   * What a connection of this thread to a robot must have, so that nobody else answers in its name.
+   *
+   * @param name of the robot
+   * @return no constraints if this program has joined no team
+   */
+  public static InvocationConstraints requiredOfRobot(String name) {
+    @Nullable ChannelIdentity identity = get();
+    return identity == null ? InvocationConstraints.EMPTY : identity.requiredOfRobot(name);
+  }
+
+  /**
+   * Sets the identity of the process, before it makes or receives an endpoint. It cannot be taken
+   * away again: nothing falls back to calls without encryption.
+   *
+   * @throws IllegalStateException if the process has another one
+   */
+  public static synchronized void setForProcess(ChannelIdentity identity) {
+    if (ofProcess != null && ofProcess != identity) {
+      throw new IllegalStateException("this process already has the identity " + ofProcess);
+    }
+    ofProcess = identity;
+  }
+
+  /**
+   * Runs with an identity: for robots that share a virtual machine.
+   *
+   * @return the result
+   */
+  public static <T extends @Nullable Object> T callAs(ChannelIdentity identity, Callable<T> body)
+      throws Exception {
+    @Nullable ChannelIdentity before = OF_THREAD.get();
+    OF_THREAD.set(identity);
+    try {
+      return body.call();
+    } finally {
+      if (before == null) {
+        OF_THREAD.remove();
+      } else {
+        OF_THREAD.set(before);
+      }
+    }
+  }
+}

@@ -1,0 +1,71 @@
+package org.dfra.river.transport;
+
+import java.io.ByteArrayInputStream;
+import java.security.GeneralSecurityException;
+import java.security.cert.CertificateFactory;
+import java.security.cert.X509CRL;
+import java.security.cert.X509Certificate;
+import java.time.Clock;
+import java.util.List;
+import java.util.Set;
+import org.dfra.river.fixture.TestTeam;
+import org.dfra.river.fixture.TestTeam.Issued;
+import org.dfra.river.identity.RevokedCertificates;
+import org.dfra.river.identity.TeamIdentity;
+import org.dfra.security.Decision;
+import org.dfra.security.Guard;
+import org.dfra.security.Member;
+import org.dfra.security.MemberRole;
+
+/** Identities of a team of tests. */
+final class TestIdentities {
+
+  private final TestTeam authority;
+  private final RevokedCertificates revoked;
+
+  TestIdentities(TestTeam authority) {
+    this.authority = authority;
+    this.revoked = new RevokedCertificates(authority.authority());
+  }
+
+  /** Gives all identities a list of revoked certificates. Returns whether it is newer. */
+  boolean revoke(TestTeam signer, long number, X509Certificate... certificates)
+      throws GeneralSecurityException {
+    return revoked.replace(
+        (X509CRL)
+            CertificateFactory.getInstance("X.509")
+                .generateCRL(new ByteArrayInputStream(signer.revocations(number, certificates))));
+  }
+
+  TeamIdentity of(MemberRole role, String name) {
+    return of(role, name, authority.issue(new Member("field", role, name)));
+  }
+
+  /** An identity with a guard of its own. */
+  TeamIdentity guarded(MemberRole role, String name, Guard guard) {
+    return identity(role, name, authority.issue(new Member("field", role, name)), guard);
+  }
+
+  /** An identity that presents any certificate, whoever has issued it. */
+  TeamIdentity of(MemberRole role, String name, Issued issued) {
+    return identity(role, name, issued, request -> Decision.permit("all"));
+  }
+
+  private TeamIdentity identity(MemberRole role, String name, Issued issued, Guard guard) {
+    try {
+      return new TeamIdentity(
+          new TeamIdentity.Settings(
+              new Member("field", role, name),
+              new TeamIdentity.Key(issued.key(), List.of(issued.certificate())),
+              Set.of(),
+              Set.of(),
+              authority.authority(),
+              revoked,
+              guard,
+              false),
+          Clock.systemUTC());
+    } catch (GeneralSecurityException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+}

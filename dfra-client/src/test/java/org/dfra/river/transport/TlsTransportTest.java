@@ -1,0 +1,35 @@
+package org.dfra.river.transport;
+
+import net.jini.core.constraint.Confidentiality;
+import net.jini.core.constraint.Integrity;
+import net.jini.core.constraint.InvocationConstraint;
+import net.jini.jeri.ServerEndpoint;
+import org.dfra.river.fixture.TestTeam;
+import org.dfra.security.MemberRole;
+
+/** Client and server are two robots of a team. */
+class TlsTransportTest extends TransportContract {
+
+  private static final TestIdentities TEAM = new TestIdentities(new TestTeam("field"));
+  private static final ChannelIdentity ROBOT = TEAM.of(MemberRole.ROBOT, "atrv1");
+
+  @Override
+  boolean finishesCalls() {
+    return true;
+  }
+
+  @Override
+  ServerEndpoint serverEndpoint() {
+    return RecordingServer.endpoint(ROBOT);
+  }
+
+  @Override
+  InvocationConstraint unmetConstraint() {
+    return Confidentiality.NO;
+  }
+
+  @Override
+  Integrity integrity() {
+    return Integrity.YES;
+  }
+}
