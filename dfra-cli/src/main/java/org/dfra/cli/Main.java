@@ -16,6 +16,7 @@ import org.dfra.cli.log.LogbackSetup;
 import org.dfra.cli.log.PrintableTrace;
 import org.dfra.cli.module.ModuleCommand;
 import org.dfra.cli.persona.PersonaCommand;
+import org.dfra.cli.policy.PolicyCommand;
 import org.dfra.cli.recruit.RecruitCommand;
 import org.dfra.cli.robot.DownCommand;
 import org.dfra.cli.robot.StatusCommand;
@@ -68,8 +69,12 @@ public final class Main {
           "event",
           "lease",
           "log",
+<<<<<<< HEAD
           "security",
           "whoami",
+=======
+          "policy",
+>>>>>>> policy
           "fuzzy",
           "recruit",
           "demo",
@@ -191,8 +196,12 @@ public final class Main {
           case "event" -> EventCommand.class;
           case "lease" -> LeaseCommand.class;
           case "log" -> LogCommand.class;
+<<<<<<< HEAD
           case "security" -> SecurityCommand.class;
           case "whoami" -> WhoamiCommand.class;
+=======
+          case "policy" -> PolicyCommand.class;
+>>>>>>> policy
           case "recruit" -> RecruitCommand.class;
           case "completion" -> CompletionCommand.class;
           case "help" -> HelpCommand.class;

@@ -1,0 +1,63 @@
+package org.dfra.cli.policy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+import org.dfra.core.policy.MethodKind;
+import org.dfra.core.policy.Policy;
+import org.dfra.report.terminal.CommandOutput;
+import org.dfra.report.terminal.ExitCode;
+import org.dfra.report.terminal.Table;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+
+/** {@code ./dfra policy check}. */
+@Command(
+    name = "check",
+    description = "Checks a policy, and shows who may call which kinds of methods.",
+    footer = {
+      "",
+      "Exits with 1 if the policy has faults, and prints each with file and line. In the table,",
+      "\"some\" means that the policy permits some methods of the kind and denies others, and",
+      "\"depends\" that it depends on a condition, a rate or a confirmation. The objects that are",
+      "called belong to another robot than the caller, except in the first line."
+    })
+final class CheckCommand implements Callable<Integer> {
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
+  private PolicyFile policy;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
+  private CommandOutput answer;
+
+  @Override
+  public Integer call() {
+    Policy read = policy.read();
+    List<PolicySummary.CallerRow> rows = PolicySummary.of(read);
+    List<String> headings = new ArrayList<>(List.of("CALLER"));
+    Stream.of(MethodKind.values()).map(kind -> kind.name()).forEach(headings::add);
+    Table table = new Table(headings.toArray(String[]::new));
+    for (PolicySummary.CallerRow row : rows) {
+      List<String> cells = new ArrayList<>(List.of(row.caller()));
+      Stream.of(MethodKind.values())
+          .map(kind -> row.outcomes().getOrDefault(kind.text(), "-"))
+          .forEach(cells::add);
+      table.row(cells.toArray(String[]::new));
+    }
+    if (!answer.isJson()) {
+      answer.line(
+          rows,
+          read.place().file()
+              + " is valid: "
+              + read
+              + ", "
+              + read.rules().size()
+              + (read.rules().size() == 1 ? " rule." : " rules."));
+    }
+    answer.table(rows, table, "The policy is about no method.");
+    return ExitCode.SUCCESS;
+  }
+}

@@ -1,0 +1,186 @@
+package org.dfra.cli.policy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.dfra.core.config.NearestName;
+import org.dfra.core.policy.CalledMethod;
+import org.dfra.core.policy.InterfaceCatalogue;
+import org.dfra.core.policy.InterfaceCatalogue.CataloguedInterface;
+import org.dfra.core.policy.Policy;
+import org.dfra.core.policy.PolicyExplanation;
+import org.dfra.core.policy.PolicyRule;
+import org.dfra.report.terminal.CommandFailure;
+import org.dfra.report.terminal.CommandOutput;
+import org.dfra.report.terminal.ExitCode;
+import org.dfra.security.Caller;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** {@code ./dfra policy explain}. */
+@Command(
+    name = "explain",
+    description =
+        "Explains which rule of a policy decides about a call, and why no earlier one does.",
+    footer = {
+      "",
+      "Exits with 0 whether the call is permitted or not, and with 3 if there is no such method."
+    })
+final class ExplainCommand implements Callable<Integer> {
+
+  @Option(
+      names = "--who",
+      required = true,
+      paramLabel = "CALLER",
+      description =
+          "A role and a name, such as \"operator anna\", \"expired operator anna\", stranger, or own"
+              + " for a process of the same robot.")
+  private String who = "";
+
+  @Option(
+      names = "--what",
+      required = true,
+      paramLabel = "INTERFACE.METHOD",
+      description = "The called method, such as DriveEffector.execute.")
+  private String what = "";
+
+  @Option(
+      names = "--robot",
+      paramLabel = "ROBOT",
+      description = "The robot that the called object belongs to (default: one without a rule).")
+  private String robot = "robot";
+
+  @Option(
+      names = "--object",
+      paramLabel = "MODULE",
+      description = "The called object, such as a module (default: one without a name).")
+  private String object = "";
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
+  private PolicyFile file;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
+  private CommandOutput answer;
+
+  /** A rule in the command's output. */
+  record RuleView(String name, String effect, String place, String reason) {
+
+    static RuleView of(PolicyRule rule, String reason) {
+      return new RuleView(rule.name(), rule.effect().text(), rule.place().toString(), reason);
+    }
+  }
+
+  /** The command's output. */
+  record ExplanationView(
+      String outcome,
+      String caller,
+      String method,
+      String kind,
+      @Nullable RuleView rule,
+      List<String> obligations,
+      List<RuleView> conditional,
+      List<RuleView> nearMisses) {}
+
+  @Override
+  public Integer call() {
+    Policy policy = file.read();
+    Caller caller = CallerArgument.parse(who, policy.team(), robot);
+    CalledMethod method = method(PolicyFile.catalogue());
+    PolicyExplanation explanation = PolicyExplanation.of(policy, caller, method, robot, object);
+    ExplanationView view = view(caller, method, explanation);
+    answer.lines(view, lines(view, explanation, policy));
+    return ExitCode.SUCCESS;
+  }
+
+  private CalledMethod method(InterfaceCatalogue catalogue) {
+    int dot = what.lastIndexOf('.');
+    if (dot <= 0) {
+      throw new CommandFailure(
+          ExitCode.USAGE_ERROR,
+          "--what \"" + what + "\" is no method; write it as DriveEffector.execute");
+    }
+    String type = what.substring(0, dot);
+    List<CataloguedInterface> found = catalogue.named(type);
+    if (found.size() != 1) {
+      throw new CommandFailure(
+          ExitCode.NOT_FOUND,
+          "there is no remote interface \""
+              + type
+              + "\""
+              + NearestName.hint(
+                  type, catalogue.simpleNames(), "; write its full name, with its package"));
+    }
+    String name = what.substring(dot + 1);
+    CataloguedInterface known = found.get(0);
+    if (!known.methods().contains(name)) {
+      throw new CommandFailure(
+          ExitCode.NOT_FOUND,
+          type
+              + " has no method \""
+              + name
+              + "\""
+              + NearestName.hint(
+                  name, known.methods(), "; it has " + String.join(", ", known.methods())));
+    }
+    return CalledMethod.of(known, name, catalogue);
+  }
+
+  private ExplanationView view(Caller caller, CalledMethod method, PolicyExplanation found) {
+    @Nullable PolicyRule deciding = found.deciding();
+    List<RuleView> conditional = new ArrayList<>();
+    found.conditional().forEach(each -> conditional.add(RuleView.of(each, ifHolds(each))));
+    List<RuleView> misses = new ArrayList<>();
+    found.nearMisses().forEach(each -> misses.add(RuleView.of(each.rule(), each.reason())));
+    return new ExplanationView(
+        found.outcome().name().toLowerCase(Locale.ROOT),
+        caller.member().map(Object::toString).orElse("stranger"),
+        what,
+        method.kind().text(),
+        deciding == null ? null : RuleView.of(deciding, ""),
+        deciding == null ? List.of() : deciding.obligations().inWords(),
+        conditional,
+        misses);
+  }
+
+  private static String ifHolds(PolicyRule rule) {
+    List<String> all = new ArrayList<>(rule.conditions());
+    all.addAll(rule.obligations().inWords());
+    return String.join("; ", all);
+  }
+
+  private static List<String> lines(
+      ExplanationView view, PolicyExplanation explanation, Policy policy) {
+    List<String> lines = new ArrayList<>();
+    String verdict =
+        switch (explanation.outcome()) {
+          case PERMIT -> "permitted";
+          case DENY -> "refused";
+          case DEPENDS -> "permitted or refused, which depends on what follows";
+        };
+    lines.add(view.method() + " (" + view.kind() + ") by " + view.caller() + ": " + verdict + ".");
+    for (RuleView each : view.conditional()) {
+      lines.add(
+          "While its conditions hold, " + inWords(each) + " decides: only " + each.reason() + ".");
+    }
+    @Nullable RuleView rule = view.rule();
+    String begin = view.conditional().isEmpty() ? "" : "Otherwise ";
+    lines.add(
+        rule == null
+            ? begin + "no rule of " + policy + " matches, so the call is refused."
+            : begin + inWords(rule) + " decides.");
+    view.obligations().forEach(each -> lines.add("Obligation: " + each + "."));
+    for (RuleView each : view.nearMisses()) {
+      lines.add("Before it, " + inWords(each) + " does not match: " + each.reason() + ".");
+    }
+    return lines;
+  }
+
+  private static String inWords(RuleView rule) {
+    return "<" + rule.effect() + "> " + rule.name() + " (" + rule.place() + ")";
+  }
+}

@@ -1,0 +1,81 @@
+package org.dfra.cli.policy;
+
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.dfra.core.policy.CalledMethod;
+import org.dfra.core.policy.InterfaceCatalogue;
+import org.dfra.core.policy.InterfaceCatalogue.CataloguedInterface;
+import org.dfra.core.policy.MethodKind;
+import org.dfra.core.policy.Policy;
+import org.dfra.core.policy.PolicyExplanation;
+import org.dfra.core.policy.PolicyExplanation.Outcome;
+import org.dfra.security.Caller;
+import org.dfra.security.Caller.Standing;
+import org.dfra.security.Member;
+import org.dfra.security.MemberRole;
+
+/** Who may call which kinds of methods, over all methods of DFRA's and River's interfaces. */
+final class PolicySummary {
+
+  /** Names that no rule of a policy has by chance. */
+  private static final String CALLED = "called-robot";
+
+  private static final String OTHER = "other-member";
+
+  private PolicySummary() {}
+
+  /**
+   * A row of the summary.
+   *
+   * @param caller such as {@code operator}
+   * @param outcomes by the kind of method: permit, deny, some or depends
+   */
+  record CallerRow(String caller, Map<String, String> outcomes) {}
+
+  static List<CallerRow> of(Policy policy) {
+    String team = policy.team();
+    List<CallerRow> rows = new ArrayList<>();
+    rows.add(row("own", policy, caller(Standing.OWN, team, MemberRole.ROBOT, CALLED)));
+    for (MemberRole each : List.of(MemberRole.OPERATOR, MemberRole.ROBOT, MemberRole.OBSERVER)) {
+      rows.add(row(each.text(), policy, caller(Standing.MEMBER, team, each, OTHER)));
+    }
+    rows.add(row("expired", policy, caller(Standing.EXPIRED, team, MemberRole.OPERATOR, OTHER)));
+    rows.add(row("stranger", policy, Caller.stranger("")));
+    return rows;
+  }
+
+  private static Caller caller(Standing standing, String team, MemberRole role, String name) {
+    return new Caller(standing, Optional.of(new Member(team, role, name)), "");
+  }
+
+  private static CallerRow row(String name, Policy policy, Caller caller) {
+    InterfaceCatalogue catalogue = InterfaceCatalogue.builtIn();
+    Map<MethodKind, Set<Outcome>> found = new LinkedHashMap<>();
+    for (CataloguedInterface type : catalogue.all()) {
+      for (String each : type.declared().keySet()) {
+        CalledMethod method = CalledMethod.of(type, each, catalogue);
+        found
+            .computeIfAbsent(method.kind(), unused -> EnumSet.noneOf(Outcome.class))
+            .add(PolicyExplanation.of(policy, caller, method, CALLED, "").outcome());
+      }
+    }
+    Map<String, String> outcomes = new LinkedHashMap<>();
+    found.forEach((kind, each) -> outcomes.put(kind.text(), inWords(each)));
+    return new CallerRow(name, outcomes);
+  }
+
+  private static String inWords(Set<Outcome> outcomes) {
+    if (outcomes.contains(Outcome.DEPENDS)) {
+      return "depends";
+    }
+    return outcomes.size() == 1
+        ? outcomes.iterator().next().name().toLowerCase(Locale.ROOT)
+        : "some";
+  }
+}

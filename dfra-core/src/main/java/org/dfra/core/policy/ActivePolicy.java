@@ -1,0 +1,139 @@
+package org.dfra.core.policy;
+
+import java.lang.reflect.Method;
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.LongSupplier;
+import org.dfra.security.AccessRequest;
+import org.dfra.security.Caller;
+import org.dfra.security.Decision;
+import org.dfra.security.Member;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A policy in force, with what was already found out about it: which of its rules are about a
+ * caller and a method. That never changes, so it is kept until the policy is replaced. Only
+ * conditions and obligations are evaluated for each call.
+ */
+final class ActivePolicy {
+
+  /** Callers, methods and objects are few; this limit is for a mistake. */
+  static final int MAX_KNOWN = 10_000;
+
+  private final Policy policy;
+  private final Map<PolicyRule, CallRateLimiter> limiters = new IdentityHashMap<>();
+  private final ConcurrentHashMap<CallKey, Candidate[]> known = new ConcurrentHashMap<>();
+
+  /**
+   * A rule that may decide about a call.
+   *
+   * @param rule null for the refusal of calls that no rule matches
+   * @param decision what is decided if it applies and its obligations are met
+   * @param limiter counts its calls; null if it has no rate
+   * @param isImmediate whether it decides without conditions to evaluate and calls to count
+   */
+  record Candidate(
+      @Nullable PolicyRule rule,
+      Decision decision,
+      Obligations obligations,
+      @Nullable CallRateLimiter limiter,
+      boolean isImmediate) {}
+
+  /** What the choice of rules depends on. */
+  private record CallKey(
+      Caller.Standing standing,
+      @Nullable Member member,
+      String robot,
+      String object,
+      Class<?> type,
+      Method method) {
+
+    /** Faster than that of a record, which would also read all parts of the member. */
+    @Override
+    public int hashCode() {
+      int hash = member == null ? standing.ordinal() : member.name().hashCode();
+      hash = 31 * hash + object.hashCode();
+      hash = 31 * hash + method.getName().hashCode();
+      return 31 * hash + type.hashCode();
+    }
+
+    @Override
+    public boolean equals(@Nullable Object other) {
+      return other instanceof CallKey key
+          && standing == key.standing
+          && type == key.type
+          && method.equals(key.method)
+          && object.equals(key.object)
+          && robot.equals(key.robot)
+          && (member == null ? key.member == null : member.equals(key.member));
+    }
+  }
+
+  /**
+   * @param nanos a monotonic clock in nanoseconds
+   */
+  ActivePolicy(Policy policy, LongSupplier nanos) {
+    this.policy = policy;
+    for (PolicyRule each : policy.rules()) {
+      Obligations.@Nullable RateLimit rate = each.obligations().rate();
+      if (rate != null) {
+        limiters.put(each, new CallRateLimiter(rate, nanos));
+      }
+    }
+  }
+
+  Policy policy() {
+    return policy;
+  }
+
+  /** The rules that may decide about a call, in their order; the last one always does. */
+  Candidate[] candidates(AccessRequest request) {
+    Caller caller = request.caller();
+    CallKey key =
+        new CallKey(
+            caller.standing(),
+            caller.member().orElse(null),
+            request.robot(),
+            request.object(),
+            request.type(),
+            request.method());
+    Candidate @Nullable [] found = known.get(key);
+    if (found != null) {
+      return found;
+    }
+    if (known.size() >= MAX_KNOWN) {
+      known.clear();
+    }
+    Candidate[] computed = compute(request);
+    known.put(key, computed);
+    return computed;
+  }
+
+  private Candidate[] compute(AccessRequest request) {
+    List<Candidate> candidates = new ArrayList<>();
+    CalledMethod method = CalledMethod.of(request.type(), request.method());
+    for (PolicyRule each : policy.rules()) {
+      if (each.mismatches(request.caller(), method, request.robot(), request.object()).isEmpty()) {
+        candidates.add(candidate(each, request));
+        if (!each.isConditional()) {
+          return candidates.toArray(Candidate[]::new);
+        }
+      }
+    }
+    Decision refusal = Decision.deny(Policy.DEFAULT_RULE, RefusalReason.ofNoRule(policy, request));
+    candidates.add(new Candidate(null, refusal, Obligations.NONE, null, true));
+    return candidates.toArray(Candidate[]::new);
+  }
+
+  private Candidate candidate(PolicyRule rule, AccessRequest request) {
+    Decision decision =
+        rule.effect() == PolicyRule.Effect.PERMIT
+            ? Decision.permit(rule.name())
+            : Decision.deny(rule.name(), RefusalReason.ofDenial(policy, rule, request));
+    boolean isImmediate = !rule.isConditional() && !rule.obligations().isChecked();
+    return new Candidate(rule, decision, rule.obligations(), limiters.get(rule), isImmediate);
+  }
+}

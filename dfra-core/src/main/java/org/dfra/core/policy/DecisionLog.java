@@ -1,0 +1,93 @@
+package org.dfra.core.policy;
+
+import com.google.errorprone.annotations.concurrent.GuardedBy;
+import java.util.concurrent.TimeUnit;
+import java.util.function.LongSupplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Writes to the log of the process what rules oblige to log, and as warnings what they oblige to
+ * notify of. At most {@value #MAX_LINES} lines in a second, so that a caller cannot fill the log;
+ * it counts the others.
+ */
+public final class DecisionLog implements DecisionListener {
+
+  /** The most lines in a second. */
+  static final int MAX_LINES = 10;
+
+  private static final Logger LOG = LoggerFactory.getLogger(DecisionLog.class);
+
+  private static final long SECOND = TimeUnit.SECONDS.toNanos(1);
+
+  private final LongSupplier nanos;
+
+  @GuardedBy("this")
+  private long begin;
+
+  @GuardedBy("this")
+  private int lines;
+
+  @GuardedBy("this")
+  private long omitted;
+
+  /**
+   * @param nanos a monotonic clock in nanoseconds
+   */
+  public DecisionLog(LongSupplier nanos) {
+    this.nanos = nanos;
+    this.begin = nanos.getAsLong();
+  }
+
+  @Override
+  public void onDecision(DecisionRecord decision) {
+    Obligations obligations = decision.obligations();
+    if (!obligations.isLogged() && !obligations.isNotified()) {
+      return;
+    }
+    long before = countedOmitted();
+    if (before < 0) {
+      return;
+    }
+    if (before > 0) {
+      LOG.warn("{} decisions of the policy were not logged, since they were too many.", before);
+    }
+    String sentence = sentence(decision);
+    if (obligations.isNotified()) {
+      LOG.warn(sentence);
+    } else {
+      LOG.info(sentence);
+    }
+  }
+
+  /** Counts a line: the number of lines that were omitted before it, or -1 if it is omitted. */
+  private synchronized long countedOmitted() {
+    long now = nanos.getAsLong();
+    if (now - begin >= SECOND) {
+      begin = now;
+      lines = 0;
+    }
+    if (lines == MAX_LINES) {
+      omitted++;
+      return -1;
+    }
+    lines++;
+    long before = omitted;
+    omitted = 0;
+    return before;
+  }
+
+  /** The decision in a sentence. */
+  static String sentence(DecisionRecord decision) {
+    return (decision.decision().isPermitted() ? "Permitted " : "Refused ")
+        + decision.request().methodName()
+        + (decision.request().object().isEmpty() ? "" : " on " + decision.request().object())
+        + " to "
+        + decision.request().caller()
+        + " by rule "
+        + decision.decision().rule()
+        + " of policy version "
+        + decision.policyVersion()
+        + ".";
+  }
+}

@@ -1,0 +1,130 @@
+package org.dfra.core.policy;
+
+import java.time.InstantSource;
+import java.util.function.LongSupplier;
+import org.dfra.core.policy.ActivePolicy.Candidate;
+import org.dfra.security.AccessRequest;
+import org.dfra.security.Caller;
+import org.dfra.security.Decision;
+import org.dfra.security.Guard;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Decides about calls by a policy, which can be replaced while calls are made. A call is decided
+ * entirely by one policy, the old one or the new one. Thread-safe; it waits for nothing.
+ *
+ * <p>A member of another team than the policy's counts as a stranger.
+ */
+public final class PolicyGuard implements Guard {
+
+  private final PolicyFacts facts;
+  private final Confirmations confirmations;
+  private final @Nullable DecisionListener listener;
+  private final InstantSource clock;
+  private final LongSupplier nanos;
+  private volatile ActivePolicy active; // written by replace only
+
+  /** A guard without facts, confirmations and listener. */
+  public PolicyGuard(Policy policy) {
+    this(
+        policy,
+        PolicyFacts.none(),
+        Confirmations.none(),
+        null,
+        InstantSource.system(),
+        System::nanoTime);
+  }
+
+  /**
+   * @param facts for the conditions of rules
+   * @param listener observes each decision; null for none
+   * @param clock for the times of the observed decisions
+   * @param nanos a monotonic clock in nanoseconds, for rates
+   */
+  public PolicyGuard(
+      Policy policy,
+      PolicyFacts facts,
+      Confirmations confirmations,
+      @Nullable DecisionListener listener,
+      InstantSource clock,
+      LongSupplier nanos) {
+    this.facts = facts;
+    this.confirmations = confirmations;
+    this.listener = listener;
+    this.clock = clock;
+    this.nanos = nanos;
+    this.active = new ActivePolicy(policy, nanos);
+  }
+
+  /** The policy in force. */
+  public Policy policy() {
+    return active.policy();
+  }
+
+  @Override
+  public Decision decide(AccessRequest request) {
+    ActivePolicy now = active;
+    AccessRequest known = recognised(request, now.policy());
+    for (Candidate each : now.candidates(known)) {
+      if (each.isImmediate()) {
+        return observed(now, known, each, each.decision());
+      }
+      PolicyRule rule = each.rule();
+      if (rule != null && rule.appliesNow(facts)) {
+        return observed(now, known, each, checked(now.policy(), rule, each, known));
+      }
+    }
+    throw new AssertionError("the last candidate always decides");
+  }
+
+  /** The decision of a rule that applies, after its rate and its confirmation are checked. */
+  private Decision checked(
+      Policy policy, PolicyRule rule, Candidate candidate, AccessRequest request) {
+    if (rule.obligations().isConfirmed() && !confirmations.isConfirmed(request, rule)) {
+      return Decision.deny(rule.name(), RefusalReason.ofMissingConfirmation(policy, rule, request));
+    }
+    CallRateLimiter limiter = candidate.limiter();
+    return limiter == null || limiter.tryCall(request)
+        ? candidate.decision()
+        : Decision.deny(rule.name(), RefusalReason.ofRate(policy, rule, request));
+  }
+
+  private Decision observed(
+      ActivePolicy now, AccessRequest request, Candidate candidate, Decision decision) {
+    if (listener != null) {
+      listener.onDecision(
+          new DecisionRecord(
+              clock.instant(), request, decision, now.policy().version(), candidate.obligations()));
+    }
+    return decision;
+  }
+
+  /** The request, with a stranger in place of a member of another team. */
+  private static AccessRequest recognised(AccessRequest request, Policy policy) {
+    Caller caller = request.caller();
+    return caller.member().isEmpty() || caller.member().get().team().equals(policy.team())
+        ? request
+        : new AccessRequest(
+            Caller.stranger(caller.address()),
+            request.robot(),
+            request.object(),
+            request.type(),
+            request.method());
+  }
+
+  /**
+   * Replaces the policy: later calls are decided by the new one. Counts of rates begin again.
+   *
+   * @param next has a higher version than the present one, and is of the same team
+   * @return false, with nothing changed, if it is the present one
+   * @throws PolicyReplacementException if it is older, of another team, or a different one of the
+   *     same version
+   */
+  public synchronized boolean replace(Policy next) {
+    if (!policy().identity().isReplacedBy(next.identity(), next.place().file())) {
+      return false;
+    }
+    active = new ActivePolicy(next, nanos);
+    return true;
+  }
+}

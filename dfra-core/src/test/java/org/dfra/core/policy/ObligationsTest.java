@@ -1,0 +1,159 @@
+package org.dfra.core.policy;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.dfra.core.policy.PolicyFixture.ANNA;
+import static org.dfra.core.policy.PolicyFixture.BOB;
+import static org.dfra.core.policy.PolicyFixture.STRANGER;
+import static org.dfra.core.policy.PolicyFixture.call;
+import static org.dfra.core.policy.PolicyFixture.policy;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import org.dfra.core.policy.ConfirmationRequests.PendingConfirmation;
+import org.dfra.core.policy.Obligations.RateLimit;
+import org.dfra.security.Caller;
+import org.dfra.security.Decision;
+import org.junit.jupiter.api.Test;
+
+/** Rates, confirmations and reports of decisions. */
+class ObligationsTest {
+
+  private static final Instant NOON = Instant.parse("2026-11-28T12:00:00Z");
+  private static final String FIVE_A_SECOND =
+      "<permit name=\"slow\" standing=\"member,stranger\"><rate max=\"5\" per=\"1s\"/></permit>";
+
+  private final AtomicLong nanos = new AtomicLong(Long.MAX_VALUE - 1000); // it will overflow
+  private final ConfirmationRequests requests = new ConfirmationRequests(nanos::get);
+  private final List<DecisionRecord> observed = new ArrayList<>();
+
+  private PolicyGuard guard(String... lines) {
+    return new PolicyGuard(
+        policy(lines),
+        PolicyFacts.none(),
+        requests,
+        observed::add,
+        InstantSource.fixed(NOON),
+        nanos::get);
+  }
+
+  private void pass(long millis) {
+    nanos.addAndGet(TimeUnit.MILLISECONDS.toNanos(millis));
+  }
+
+  @Test
+  void permitsAsManyCallsAsTheRateAndRefusesTheNext() {
+    PolicyGuard guard = guard(FIVE_A_SECOND);
+    for (int i = 0; i < 5; i++) {
+      assertThat(guard.decide(call(ANNA, "execute")).isPermitted()).as("call %d", i).isTrue();
+      pass(100);
+    }
+    Decision refused = guard.decide(call(ANNA, "execute"));
+    assertThat(refused.isPermitted()).isFalse();
+    assertThat(refused.rule()).isEqualTo("slow");
+    assertThat(refused.reason()).contains("at most 5 calls in 1 s; call less often");
+    assertThat(guard.decide(call(BOB, "execute")).isPermitted()).as("another caller").isTrue();
+
+    pass(499);
+    assertThat(guard.decide(call(ANNA, "execute")).isPermitted()).isFalse();
+    pass(1);
+    assertThat(guard.decide(call(ANNA, "execute")).isPermitted())
+        .as("1 s after the first")
+        .isTrue();
+  }
+
+  @Test
+  void noPeriodHasMoreCallsThanTheRate() {
+    PolicyGuard guard = guard(FIVE_A_SECOND);
+    Random random = new Random(2004);
+    List<Long> times = new ArrayList<>();
+    for (int i = 0; i < 2000; i++) {
+      if (guard.decide(call(ANNA, "execute")).isPermitted()) {
+        times.add(nanos.get());
+      }
+      pass(random.nextInt(300));
+    }
+    assertThat(times).hasSizeGreaterThan(1000);
+    for (int i = 5; i < times.size(); i++) {
+      assertThat(times.get(i) - times.get(i - 5)).isGreaterThanOrEqualTo(1_000_000_000L);
+    }
+  }
+
+  @Test
+  void countsFewerCallersThanThereAreAddressesOfStrangers() {
+    CallRateLimiter limiter =
+        new CallRateLimiter(new RateLimit(1, Duration.ofSeconds(1)), nanos::get);
+    int permitted = 0;
+    for (int i = 0; i < 10_000; i++) {
+      permitted += limiter.tryCall(call(Caller.stranger("2001:db8::" + i), "readiness")) ? 1 : 0;
+    }
+    assertThat(permitted).isEqualTo(CallRateLimiter.MAX_CALLERS + 1);
+    pass(1000);
+    assertThat(limiter.tryCall(call(Caller.stranger("2001:db8::ffff"), "readiness")))
+        .as("those before no longer count")
+        .isTrue();
+  }
+
+  @Test
+  void whatMustBeConfirmedIsRefusedUntilAnOperatorConfirmsIt() {
+    PolicyGuard guard = guard("<permit name=\"ask-first\"><ask/></permit>");
+    Decision refused = guard.decide(call(ANNA, "execute"));
+    assertThat(refused.isPermitted()).isFalse();
+    assertThat(refused.reason()).contains("only when an operator has confirmed it");
+
+    List<PendingConfirmation> pending = requests.pending();
+    assertThat(pending).hasSize(1);
+    assertThat(pending.get(0).request().caller()).isEqualTo(ANNA);
+    assertThat(requests.confirm(pending.get(0).number(), Duration.ofSeconds(60))).isTrue();
+    assertThat(guard.decide(call(ANNA, "execute")).isPermitted()).isTrue();
+    assertThat(guard.decide(call(ANNA, "readiness")).isPermitted()).as("another call").isFalse();
+    assertThat(guard.decide(call(BOB, "execute")).isPermitted()).as("another caller").isFalse();
+
+    pass(60_000);
+    assertThat(guard.decide(call(ANNA, "execute")).isPermitted()).as("after 60 s").isFalse();
+    assertThat(requests.confirm(pending.get(0).number(), Duration.ofSeconds(60)))
+        .as("the old request")
+        .isFalse();
+  }
+
+  @Test
+  void requestsForConfirmationAreBoundedAndEnd() {
+    PolicyGuard guard = guard("<permit standing=\"stranger\"><ask/></permit>");
+    for (int i = 0; i < 1000; i++) {
+      guard.decide(call(Caller.stranger("192.0.2." + i), "execute"));
+    }
+    assertThat(requests.pending()).hasSize(ConfirmationRequests.MAX_REQUESTS);
+    pass(1000L * ConfirmationRequests.KEPT_SECONDS);
+    assertThat(requests.pending()).isEmpty();
+    for (String method : new String[] {"execute", "readiness", "history", "tests", "frame"}) {
+      guard.decide(call(STRANGER, method));
+    }
+    assertThat(requests.pending()).hasSize(ConfirmationRequests.MAX_OF_CALLER);
+  }
+
+  @Test
+  void aListenerObservesEachDecisionWithItsRuleAndObligations() {
+    PolicyGuard guard = guard("<permit name=\"noted\" role=\"operator\"><log/><notify/></permit>");
+    guard.decide(call(ANNA, "execute"));
+    guard.decide(call(ANNA, "execute"));
+    guard.decide(call(STRANGER, "execute"));
+
+    assertThat(observed).hasSize(3);
+    DecisionRecord first = observed.get(0);
+    assertThat(first.time()).isEqualTo(NOON);
+    assertThat(first.request()).isEqualTo(call(ANNA, "execute"));
+    assertThat(first.decision()).isEqualTo(Decision.permit("noted"));
+    assertThat(first.obligations()).isEqualTo(new Obligations(null, true, true, false));
+    assertThat(DecisionLog.sentence(first))
+        .isEqualTo(
+            "Permitted Effector.execute on drive to operator anna of field (192.0.2.7) by rule"
+                + " noted of policy version 1.");
+    assertThat(observed.get(2).decision().rule()).isEqualTo(Policy.DEFAULT_RULE);
+    assertThat(observed.get(2).request().caller()).isEqualTo(STRANGER);
+  }
+}

@@ -1,0 +1,2 @@
+/** Policies, against the remote interfaces of all modules. */
+package org.dfra.policy;
