@@ -37,7 +37,7 @@ class CommandLineTest {
       value = {
         "frobnicate | there is no verb \"frobnicate\"; there is bench, build, completion, demo,"
             + " dist, doctor, down, event, fuzzy, help, javadoc, lease, log, module, persona,"
-            + " recruit, sim, status, stop, task, test, up",
+            + " recruit, security, sim, status, stop, task, test, up, whoami",
         "--frobnicate | unknown option: '--frobnicate'; see: ./dfra --help",
         "demo nonesuch"
             + " | there is no demonstration \"nonesuch\"; there is raster, recruit, devices,"
@@ -136,7 +136,12 @@ class CommandLineTest {
         "event bw --help",
         "lease list --help",
         "lease revoke --help",
-        "log level --help"
+        "log level --help",
+        "security --help",
+        "security init --help",
+        "security issue --help",
+        "security join --help",
+        "whoami --help"
       })
   void helpFitsATerminalAndNamesWhatThereIs(String asked) {
     assertThat(run(asked.split(" "))).isZero();

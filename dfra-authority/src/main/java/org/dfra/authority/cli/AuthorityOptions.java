@@ -5,7 +5,6 @@ import java.nio.file.Path;
 import java.time.Clock;
 import org.dfra.authority.Authority;
 import org.dfra.cli.security.PassphraseSource;
-import org.dfra.cli.team.PhoenixOptions.StateOption;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -16,12 +15,6 @@ final class AuthorityOptions {
   private static final String PASSPHRASE_FILE = "--authority-passphrase-file";
 
   @Option(
-      names = "--authority",
-      paramLabel = "FOLDER",
-      description = "Folder of the authority (default: authority in the state folder).")
-  private @Nullable Path folder;
-
-  @Option(
       names = PASSPHRASE_FILE,
       paramLabel = "FILE",
       description =
@@ -30,16 +23,16 @@ final class AuthorityOptions {
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // set by picocli before the call
-  private StateOption state;
+  private AuthorityFolderOption place;
 
   /** The authority's folder. */
   Path folder() {
-    return folder == null ? state.folder().resolve("authority") : folder.toAbsolutePath();
+    return place.folder();
   }
 
   /** The state folder. */
   Path state() {
-    return state.folder();
+    return place.state();
   }
 
   /** Opens it. */

@@ -15,7 +15,6 @@ import org.dfra.cli.security.IdentityInstaller;
 import org.dfra.cli.security.OneTimePassphrase;
 import org.dfra.cli.security.PassphraseSource;
 import org.dfra.cli.security.VerifiedBundle;
-import org.dfra.cli.team.PhoenixOptions.StateOption;
 import org.dfra.core.host.PrivateFiles;
 import org.dfra.report.terminal.CommandOutput;
 import org.dfra.report.terminal.ExitCode;
@@ -50,12 +49,6 @@ final class InitCommand implements Callable<Integer> {
   private String team = "";
 
   @Option(
-      names = "--authority",
-      paramLabel = "FOLDER",
-      description = "Folder of the authority (default: authority in the state folder).")
-  private @Nullable Path named;
-
-  @Option(
       names = "--passphrase-file",
       paramLabel = "FILE",
       description =
@@ -75,7 +68,7 @@ final class InitCommand implements Callable<Integer> {
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // set by picocli before the call
-  private StateOption state;
+  private AuthorityFolderOption place;
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // set by picocli before the call
@@ -91,9 +84,9 @@ final class InitCommand implements Callable<Integer> {
   @Override
   public Integer call() throws Exception {
     requireArguments();
-    Path folder = named == null ? state.folder().resolve("authority") : named.toAbsolutePath();
-    PrivateFiles.requireFolder(state.folder());
-    IdentityInstaller installer = new IdentityInstaller(state.folder());
+    Path folder = place.folder();
+    PrivateFiles.requireFolder(place.state());
+    IdentityInstaller installer = new IdentityInstaller(place.state());
     boolean wasJoined = IdentityFolder.isJoined(installer.folder());
     String passphrase = passphrase();
     Authority.create(folder, team, passphrase, isStored, Clock.systemUTC());

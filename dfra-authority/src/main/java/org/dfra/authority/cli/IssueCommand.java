@@ -23,7 +23,7 @@ final class IssueCommand implements Callable<Integer> {
   @Parameters(
       index = "0",
       paramLabel = "ROLE",
-      description = "One of ${COMPLETION-CANDIDATES}; small letters are understood.")
+      description = "robot, operator or observer; or code, for a key that signs code.")
   @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private IssuedRole role;
 

@@ -17,7 +17,7 @@ final class ListCommand implements Callable<Integer> {
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // set by picocli before the call
-  private AuthorityOptions authorities;
+  private AuthorityFolderOption place;
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // set by picocli before the call
@@ -25,7 +25,7 @@ final class ListCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
-    List<IssuedCertificate> all = Authority.issued(authorities.folder());
+    List<IssuedCertificate> all = Authority.issued(place.folder());
     Instant now = Instant.now();
     Table table = new Table("MEMBER", "STATE", "UNTIL", "SERIAL", "WHY");
     for (IssuedCertificate each : all) {

@@ -20,7 +20,7 @@ final class MemberArgument {
       names = "--role",
       paramLabel = "ROLE",
       description =
-          "Its role, if members of several roles have this name: ${COMPLETION-CANDIDATES}.")
+          "Its role, if members of several roles have this name: robot, operator, observer, code.")
   private @Nullable IssuedRole role;
 
   /** Its name. */

@@ -148,8 +148,8 @@ public final class PhoenixOptions {
         names = "--state",
         paramLabel = "FOLDER",
         description =
-            "Where phoenix keeps its journal and logs, and the identity of this computer is"
-                + " (default: DFRA_STATE, or ~/.dfra).")
+            "Folder of phoenix's journal and logs, and of this computer's identity (default:"
+                + " DFRA_STATE, or ~/.dfra).")
     private @Nullable Path state;
 
     /** The folder, as an absolute path. It may not exist yet. */
