@@ -1,7 +1,7 @@
 package org.dfra.cli.policy;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import org.dfra.core.policy.MethodKind;
@@ -21,7 +21,7 @@ import picocli.CommandLine.Mixin;
       "Exits with 1 if the policy has faults, and prints each with file and line. In the table,",
       "\"some\" means that the policy permits some methods of the kind and denies others, and",
       "\"depends\" that it depends on a condition, a rate or a confirmation. The objects that are",
-      "called belong to another robot than the caller, except in the first line."
+      "called belong to another robot than the caller, except in the column OWN."
     })
 final class CheckCommand implements Callable<Integer> {
 
@@ -37,15 +37,18 @@ final class CheckCommand implements Callable<Integer> {
   public Integer call() {
     Policy read = policy.read();
     List<PolicySummary.CallerRow> rows = PolicySummary.of(read);
-    List<String> headings = new ArrayList<>(List.of("CALLER"));
-    Stream.of(MethodKind.values()).map(kind -> kind.name()).forEach(headings::add);
-    Table table = new Table(headings.toArray(String[]::new));
-    for (PolicySummary.CallerRow row : rows) {
-      List<String> cells = new ArrayList<>(List.of(row.caller()));
-      Stream.of(MethodKind.values())
-          .map(kind -> row.outcomes().getOrDefault(kind.text(), "-"))
-          .forEach(cells::add);
-      table.row(cells.toArray(String[]::new));
+    Table table =
+        new Table(
+            Stream.concat(
+                    Stream.of("KIND"),
+                    rows.stream().map(row -> row.caller().toUpperCase(Locale.ROOT)))
+                .toArray(String[]::new));
+    for (MethodKind kind : MethodKind.values()) {
+      table.row(
+          Stream.concat(
+                  Stream.of(kind.text()),
+                  rows.stream().map(row -> row.outcomes().getOrDefault(kind.text(), "-")))
+              .toArray(String[]::new));
     }
     if (!answer.isJson()) {
       answer.line(

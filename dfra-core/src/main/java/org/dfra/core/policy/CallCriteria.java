@@ -38,7 +38,7 @@ record CallCriteria(
    */
   @Nullable String mismatch(CalledMethod method, String robot, String object, Effect effect) {
     if (!interfaces.isEmpty() && interfaces.stream().noneMatch(each -> method.isOf(each, effect))) {
-      return "the method is not one of "
+      return "the method does not belong to "
           + interfaces.stream()
               .map(CataloguedInterface::simpleName)
               .collect(Collectors.joining(" or "));

@@ -38,6 +38,11 @@ record CallerCriteria(
     roles = Set.copyOf(roles);
   }
 
+  /** Whether they name roles, members or robots, and not only what certificates prove. */
+  boolean isNamed() {
+    return !roles.isEmpty() || !members.isAny() || sameRobot != null;
+  }
+
   /**
    * Why it is not about a caller, as a part of a sentence; null if it is.
    *

@@ -13,7 +13,8 @@ import org.jspecify.annotations.Nullable;
  * @param deciding the rule that decides if no condition of an earlier one holds; null if no rule
  *     does, so that the call is refused
  * @param conditional rules before that one that decide instead while their conditions hold
- * @param nearMisses rules before that one that match either the caller or the call, but not both
+ * @param nearMisses rules before that one that almost match: those about what is called but not
+ *     about the caller, and those that name the caller but are not about what is called
  */
 public record PolicyExplanation(
     Outcome outcome,
@@ -53,13 +54,16 @@ public record PolicyExplanation(
     List<PolicyRule> conditional = new ArrayList<>();
     List<NearMiss> misses = new ArrayList<>();
     for (PolicyRule each : policy.rules()) {
-      List<String> mismatches = each.mismatches(caller, method, robot, object);
-      if (mismatches.size() == 1) {
-        misses.add(new NearMiss(each, mismatches.get(0)));
-      } else if (mismatches.isEmpty() && each.isConditional()) {
+      if (each.mismatches(caller, method, robot, object).isEmpty()) {
+        if (!each.isConditional()) {
+          return new PolicyExplanation(outcome(each, conditional), each, conditional, misses);
+        }
         conditional.add(each);
-      } else if (mismatches.isEmpty()) {
-        return new PolicyExplanation(outcome(each, conditional), each, conditional, misses);
+      } else {
+        @Nullable String reason = each.nearMiss(caller, method, robot, object);
+        if (reason != null) {
+          misses.add(new NearMiss(each, reason));
+        }
       }
     }
     return new PolicyExplanation(outcome(null, conditional), null, conditional, misses);

@@ -97,6 +97,21 @@ public final class PolicyRule {
     return reasons;
   }
 
+  /**
+   * Why it is not about a call, if it almost is: it is about what is called but not about the
+   * caller, or it names the caller and is not about what is called.
+   *
+   * @return null if it is about the call, or far from it
+   */
+  @Nullable String nearMiss(Caller caller, CalledMethod method, String robot, String object) {
+    @Nullable String who = callers.mismatch(caller, robot, effect);
+    @Nullable String what = calls.mismatch(method, robot, object, effect);
+    if (who != null) {
+      return what == null ? who : null;
+    }
+    return callers.isNamed() ? what : null;
+  }
+
   /** Whether its conditions hold, as far as they must for its effect. */
   boolean appliesNow(PolicyFacts facts) {
     for (int i = 0; i < conditions.size(); i++) { // without an iterator: it is called often
