@@ -20,7 +20,10 @@ import java.util.Date;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import javax.naming.InvalidNameException;
+import javax.naming.ldap.LdapName;
 import org.dfra.security.Member;
+import org.dfra.security.MemberRole;
 
 /**
  * Checks of a team's certificates. All of them leave the clock aside, so that an expired member is
@@ -31,6 +34,7 @@ public final class TeamCertificates {
   private static final String AGAIN = "; join the team again: security join NAME.bundle";
   private static final String SERVER = "1.3.6.1.5.5.7.3.1"; // RFC 5280, 4.2.1.12
   private static final String CLIENT = "1.3.6.1.5.5.7.3.2";
+  private static final String UNKNOWN_TEAM = "unknown";
   private static final String ROBOT_KEY = " robot key";
   private static final int DIGITAL_SIGNATURE = 0; // bits of RFC 5280, 4.2.1.3
   private static final int KEY_CERT_SIGN = 5;
@@ -217,6 +221,43 @@ public final class TeamCertificates {
     } catch (GeneralSecurityException e) {
       throw new IdentityException(
           "the certificate in " + file + " is not signed by its own key (" + e + ")" + AGAIN, e);
+    }
+  }
+
+  /**
+   * The robot that its own key names, in the team of an authority.
+   *
+   * @param authority of the team; the key's own certificate if it is not known
+   * @param file of the key, for messages
+   */
+  static Member robot(TeamCredentials.RobotKey key, X509Certificate authority, String file)
+      throws IdentityException {
+    String name = part(key.certificate(), "CN").orElse("");
+    if (!name.endsWith(ROBOT_KEY)) {
+      throw new IdentityException("the key in " + file + " names no robot" + AGAIN);
+    }
+    try {
+      Member robot =
+          new Member(
+              part(authority, "O").orElse(UNKNOWN_TEAM),
+              MemberRole.ROBOT,
+              name.substring(0, name.length() - ROBOT_KEY.length()));
+      requireRobotKey(key, robot, file);
+      return robot;
+    } catch (IllegalArgumentException e) {
+      throw new IdentityException("the key in " + file + ": " + e.getMessage() + AGAIN, e);
+    }
+  }
+
+  private static Optional<String> part(X509Certificate certificate, String type) {
+    try {
+      return new LdapName(certificate.getSubjectX500Principal().getName())
+          .getRdns().stream()
+              .filter(each -> each.getType().equalsIgnoreCase(type))
+              .map(each -> String.valueOf(each.getValue()))
+              .findFirst();
+    } catch (InvalidNameException e) {
+      return Optional.empty();
     }
   }
 
