@@ -104,14 +104,13 @@ class AuditReferenceTest {
       now = now.plusMillis(3_120);
       Decision unused = guard.decide(bens);
       unused = guard.decide(call(ANNA, "wheels", DriveEffector.class, "execute"));
-      trail.flush(PATIENCE);
       for (int i = 0; i < 41; i++) {
         unused = guard.decide(bens);
       }
       for (int i = 0; i < 1_200; i++) {
         unused = guard.decide(fix);
       }
-      now = now.plusSeconds(10);
+      now = Instant.parse("2026-11-28T21:14:10Z");
       trail.flush(PATIENCE);
       now = Instant.parse("2026-11-28T21:20:00Z");
     }

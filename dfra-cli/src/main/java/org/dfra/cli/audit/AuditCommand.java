@@ -10,7 +10,7 @@ import picocli.CommandLine.Mixin;
     description =
         "Shows who called what on this computer's robots and what was refused, and verifies that"
             + " nobody has changed these records. Without a subcommand it is show.",
-    synopsisSubcommandLabel = "[COMMAND]",
+    synopsisSubcommandLabel = "COMMAND",
     commandListHeading = "%nCommands:%n",
     subcommands = {ShowCommand.class, VerifyCommand.class})
 public final class AuditCommand implements Callable<Integer> {
