@@ -21,6 +21,7 @@ import javax.naming.ldap.LdapName;
 import javax.naming.ldap.Rdn;
 import javax.security.auth.x500.X500Principal;
 import org.dfra.cli.security.Bundle;
+import org.dfra.cli.security.BundledPolicy;
 import org.dfra.cli.security.OneTimePassphrase;
 import org.dfra.core.host.PrivateFiles;
 import org.dfra.river.identity.KeyEntry;
@@ -72,7 +73,7 @@ public final class Authority implements AutoCloseable {
   }
 
   /**
-   * Makes the authority of a new team, with the default policy if this program has one.
+   * Makes the authority of a new team, with the policy that comes with DFRA.
    *
    * @param folder where; it must not exist
    * @param team name of the team, as {@link Member#NAME_RULE} has it
@@ -87,7 +88,8 @@ public final class Authority implements AutoCloseable {
     Instant now = clock.instant();
     String checked = new Member(team, MemberRole.OPERATOR, "authority").team();
     new AuthorityFolder(folder)
-        .create(new CertificateSigner().authority(checked, now), passphrase, isStored, now);
+        .create(
+            new CertificateSigner().authority(checked, now), checked, passphrase, isStored, now);
   }
 
   /**
@@ -145,7 +147,11 @@ public final class Authority implements AutoCloseable {
     return register.all();
   }
 
-  /** Issues a member a new certificate, whether it has one or not. */
+  /**
+   * Issues a member a new certificate, whether it has one or not.
+   *
+   * @throws org.dfra.core.config.ConfigurationException if the policy in the folder has faults
+   */
   public IssuedBundle issue(MemberRole role, String name, Duration validity) throws IOException {
     Member member = new Member(team(), role, name);
     KeyEntry issued = signer.member(key, member.x500(), now(), validity);
@@ -159,16 +165,27 @@ public final class Authority implements AutoCloseable {
     }
     files.put(SecurityFiles.AUTHORITY, AuthoritySignatures.pem(certificate()));
     files.put(SecurityFiles.REVOKED, revocations.bytes());
+    addPolicy(files);
+    IssuedCertificate entry = entry(role.text(), name, issued);
+    register.add(entry);
+    return new IssuedBundle(Bundle.of(files), passphrase, entry);
+  }
+
+  /**
+   * Signs the policy that is in the folder.
+   *
+   * @throws org.dfra.core.config.ConfigurationException if it has faults, or is of another team
+   */
+  private void addPolicy(Map<String, byte[]> files) throws IOException {
     Optional<byte[]> policy = folder.policy();
     if (policy.isPresent()) {
+      Path file = folder.file(SecurityFiles.POLICY);
+      var unused = BundledPolicy.read(policy.get(), team(), file.toString());
       byte[] signature = AuthoritySignatures.policySignature(key, policy.get());
       PrivateFiles.write(folder.file(SecurityFiles.POLICY_SIGNATURE), signature);
       files.put(SecurityFiles.POLICY, policy.get());
       files.put(SecurityFiles.POLICY_SIGNATURE, signature);
     }
-    IssuedCertificate entry = entry(role.text(), name, issued);
-    register.add(entry);
-    return new IssuedBundle(Bundle.of(files), passphrase, entry);
   }
 
   /** Issues a key that signs code, and does nothing else. */

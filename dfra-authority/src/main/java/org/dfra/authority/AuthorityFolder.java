@@ -1,7 +1,6 @@
 package org.dfra.authority;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
@@ -17,6 +16,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.dfra.core.host.PrivateFiles;
+import org.dfra.core.policy.BuiltInPolicies;
 import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.KeyEntry;
 import org.dfra.river.identity.SecurityFiles;
@@ -40,7 +40,6 @@ final class AuthorityFolder {
 
   private static final String ALIAS = "authority";
   private static final String LOCK = "lock";
-  private static final String DEFAULT_POLICY = "/org/dfra/core/policy/default-policy.xml";
 
   private final Path folder;
 
@@ -58,7 +57,7 @@ final class AuthorityFolder {
    * @param isStored whether the passphrase is stored beside the key
    * @throws AuthorityException if there is something at its place
    */
-  void create(KeyEntry authority, String passphrase, boolean isStored, Instant now)
+  void create(KeyEntry authority, String team, String passphrase, boolean isStored, Instant now)
       throws IOException {
     if (Files.exists(folder)) {
       throw new AuthorityException(
@@ -69,7 +68,7 @@ final class AuthorityFolder {
     PrivateFiles.makeFolder(parent);
     Path draft = Files.createTempDirectory(parent, ".authority"); // mode 0700
     try {
-      fill(draft, authority, passphrase, isStored, now);
+      fill(draft, authority, team, passphrase, isStored, now);
       Path unused = Files.move(draft, folder, StandardCopyOption.ATOMIC_MOVE);
       PrivateFiles.sync(parent);
     } finally {
@@ -78,7 +77,7 @@ final class AuthorityFolder {
   }
 
   private static void fill(
-      Path draft, KeyEntry authority, String passphrase, boolean isStored, Instant now)
+      Path draft, KeyEntry authority, String team, String passphrase, boolean isStored, Instant now)
       throws IOException {
     PrivateFiles.write(draft.resolve(KEY), authority.toKeyStore(ALIAS, passphrase.toCharArray()));
     if (isStored) {
@@ -89,11 +88,9 @@ final class AuthorityFolder {
         draft.resolve(SecurityFiles.AUTHORITY), AuthoritySignatures.pem(authority.chain().get(0)));
     PrivateFiles.write(draft.resolve(REGISTER), new byte[0]);
     new RevocationList(draft, authority).update(List.of(), now);
-    try (@Nullable InputStream policy = AuthorityFolder.class.getResourceAsStream(DEFAULT_POLICY)) {
-      if (policy != null) {
-        PrivateFiles.write(draft.resolve(SecurityFiles.POLICY), policy.readAllBytes());
-      }
-    }
+    PrivateFiles.write(
+        draft.resolve(SecurityFiles.POLICY),
+        BuiltInPolicies.standardText(team, 1).getBytes(StandardCharsets.UTF_8));
   }
 
   private static void delete(Path draft) throws IOException {

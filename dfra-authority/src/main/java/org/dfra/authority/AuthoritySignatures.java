@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.math.BigInteger;
 import java.nio.charset.StandardCharsets;
 import java.security.GeneralSecurityException;
-import java.security.Signature;
 import java.security.cert.CertificateEncodingException;
 import java.security.cert.X509Certificate;
 import java.time.Instant;
@@ -18,6 +17,7 @@ import org.bouncycastle.cert.jcajce.JcaX509ExtensionUtils;
 import org.bouncycastle.cert.jcajce.JcaX509v2CRLBuilder;
 import org.bouncycastle.operator.OperatorCreationException;
 import org.bouncycastle.operator.jcajce.JcaContentSignerBuilder;
+import org.dfra.core.policy.PolicyBundle;
 import org.dfra.river.identity.KeyEntry;
 
 /** What the authority signs beside certificates: lists of revoked ones, and policies. */
@@ -62,11 +62,7 @@ final class AuthoritySignatures {
   /** The signature over a policy, in Base64, with the end of its line. */
   static byte[] policySignature(KeyEntry authority, byte[] policy) {
     try {
-      Signature signature = Signature.getInstance(CertificateSigner.SIGNATURE);
-      signature.initSign(authority.key());
-      signature.update(policy);
-      return (Base64.getEncoder().encodeToString(signature.sign()) + "\n")
-          .getBytes(StandardCharsets.US_ASCII);
+      return PolicyBundle.sign(policy, authority.key()).signature();
     } catch (GeneralSecurityException e) {
       throw new IllegalStateException("every JDK signs by ECDSA", e);
     }

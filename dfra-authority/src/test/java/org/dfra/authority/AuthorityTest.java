@@ -23,6 +23,8 @@ import java.util.Set;
 import org.dfra.authority.Authority.IssuedBundle;
 import org.dfra.authority.Authority.IssuedCodeKey;
 import org.dfra.cli.security.VerifiedBundle;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.policy.BuiltInPolicies;
 import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.KeyEntry;
 import org.dfra.river.identity.TeamCertificates;
@@ -314,13 +316,39 @@ class AuthorityTest {
   }
 
   @Test
-  void aPolicyIsSignedInEachBundle() throws Exception {
-    Files.writeString(folder.resolve("policy.xml"), "<policy version=\"7\"/>");
+  void aTeamBeginsWithThePolicyThatComesWithDfraAndMayChangeIt() throws Exception {
+    Path policy = folder.resolve("policy.xml");
     try (Authority authority = open()) {
       VerifiedBundle bundle = verified(authority.issue(MemberRole.OPERATOR, "anna", DAYS_90));
-      assertThat(bundle.bundle().file("policy.xml"))
-          .contains("<policy version=\"7\"/>".getBytes(java.nio.charset.StandardCharsets.UTF_8));
+      assertThat(bundle.policy().orElseThrow()).hasToString("policy 1 of field");
       assertThat(folder.resolve("policy.sig")).exists();
+      Files.writeString(policy, BuiltInPolicies.standardText("field", 7));
+      bundle = verified(authority.issue(MemberRole.OPERATOR, "anna", DAYS_90));
+      assertThat(bundle.policy().orElseThrow().version()).isEqualTo(7);
+      Files.delete(policy);
+      bundle = verified(authority.issue(MemberRole.OPERATOR, "anna", DAYS_90));
+      assertThat(bundle.policy()).isEmpty();
+    }
+  }
+
+  @Test
+  void aPolicyWithAFaultIsNotSigned() throws Exception {
+    Path policy = folder.resolve("policy.xml");
+    try (Authority authority = open()) {
+      Files.writeString(policy, BuiltInPolicies.standardText("other", 2));
+      assertThatThrownBy(() -> authority.issue(MemberRole.OPERATOR, "anna", DAYS_90))
+          .isInstanceOf(ConfigurationException.class)
+          .hasMessageMatching(
+              "\\Q" + policy + "\\E:\\d+: the policy is of team other and not of field; .*");
+      Files.writeString(
+          policy,
+          BuiltInPolicies.standardText("field", 2)
+              .replace("interface=\"Registrar\"", "interface=\"Registry\""));
+      assertThatThrownBy(() -> authority.issue(MemberRole.OPERATOR, "anna", DAYS_90))
+          .isInstanceOf(ConfigurationException.class)
+          .hasMessageContaining(policy + ":")
+          .hasMessageContaining("Registry");
+      assertThat(authority.issued()).isEmpty();
     }
   }
 }

@@ -18,6 +18,7 @@ import org.dfra.authority.Authority.IssuedBundle;
 import org.dfra.cli.security.Bundle;
 import org.dfra.cli.security.IdentityInstaller;
 import org.dfra.cli.security.VerifiedBundle;
+import org.dfra.core.policy.BuiltInPolicies;
 import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.IdentityFolder;
 import org.dfra.river.identity.SignedFiles;
@@ -99,6 +100,8 @@ class JoinTest {
             "security/authority.pem",
             "security/identity.p12",
             "security/identity.pass",
+            "security/policy.sig",
+            "security/policy.xml",
             "security/revoked.crl",
             "security/robot.p12",
             "security/robot.pass");
@@ -203,6 +206,24 @@ class JoinTest {
         .contains(BigInteger.TWO);
   }
 
+  /** Members pass newer policies on, so a bundle may have an older one. */
+  @Test
+  void aNewerPolicyStays() throws Exception {
+    IssuedBundle first = issue("field", MemberRole.OPERATOR, "anna");
+    join(first);
+    Files.writeString(temp.resolve("field/policy.xml"), BuiltInPolicies.standardText("field", 5));
+    IssuedBundle renewed = issue("field", MemberRole.OPERATOR, "anna");
+    join(renewed);
+    join(first);
+    assertThat(verified(first).policy().orElseThrow().version()).isEqualTo(1);
+    assertThat(Files.readString(folder.resolve("policy.xml"))).contains("version=\"5\"");
+    assertThat(Files.readAllBytes(folder.resolve("policy.sig")))
+        .isEqualTo(renewed.bundle().file("policy.sig").orElseThrow());
+    Files.writeString(folder.resolve("policy.xml"), "damaged");
+    join(first);
+    assertThat(Files.readString(folder.resolve("policy.xml"))).contains("version=\"1\"");
+  }
+
   @Test
   void aJaasConfigurationOfTheUsersOwnStays() throws Exception {
     IssuedBundle issued = issue("field", MemberRole.OPERATOR, "anna");
@@ -269,9 +290,7 @@ class JoinTest {
   @ValueSource(strings = {"authority.pem", "revoked.crl", "policy.xml", "policy.sig"})
   void aFileOfAnotherAuthorityIsRefused(String name) throws Exception {
     Authority.create(temp.resolve("other"), "field", "secret", false, Clock.systemUTC());
-    for (String each : new String[] {"field", "other"}) {
-      Files.writeString(temp.resolve(each).resolve("policy.xml"), "<policy of=\"" + each + "\"/>");
-    }
+    Files.writeString(temp.resolve("other/policy.xml"), BuiltInPolicies.standardText("field", 2));
     IssuedBundle own = issue("field", MemberRole.ROBOT, "atrv1");
     IssuedBundle foreign = issue("other", MemberRole.ROBOT, "atrv1");
     IssuedBundle mixed = with(own, name, foreign.bundle().file(name).orElseThrow());

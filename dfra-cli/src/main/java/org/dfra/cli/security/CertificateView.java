@@ -21,7 +21,7 @@ import org.dfra.river.identity.IdentityException;
  * @param purposes what it is for
  * @param fingerprint its SHA-256
  * @param revocationList number of the list of revoked certificates beside it
- * @param policy number of the policy beside it
+ * @param policy version of the policy beside it
  */
 record CertificateView(
     String subject,
@@ -31,7 +31,7 @@ record CertificateView(
     List<String> purposes,
     String fingerprint,
     Optional<BigInteger> revocationList,
-    Optional<String> policy) {
+    Optional<Long> policy) {
 
   private static final Map<String, String> PURPOSES =
       Map.of(
@@ -48,7 +48,7 @@ record CertificateView(
       X509Certificate certificate,
       String file,
       Optional<BigInteger> revocationList,
-      Optional<String> policy)
+      Optional<Long> policy)
       throws IdentityException {
     return new CertificateView(
         certificate.getSubjectX500Principal().getName(),

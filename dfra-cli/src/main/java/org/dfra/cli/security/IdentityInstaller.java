@@ -12,7 +12,11 @@ import java.security.cert.X509CRL;
 import java.time.Instant;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.host.PrivateFiles;
+import org.dfra.core.policy.Policy;
+import org.dfra.core.policy.PolicySignatureException;
+import org.dfra.core.policy.PolicyStore;
 import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.IdentityFolder;
 import org.dfra.river.identity.KeyEntry;
@@ -25,6 +29,8 @@ import org.dfra.river.identity.TeamCredentials;
  * takes its place by a rename, so that it is never half of one: a failure before leaves what was.
  */
 public final class IdentityInstaller {
+
+  private static final long NO_POLICY = -1;
 
   private final Path state;
   private final SecureRandom random = new SecureRandom();
@@ -46,7 +52,7 @@ public final class IdentityInstaller {
    *
    * <p>A computer that joins as the same member again keeps its robot's key, so that processes that
    * run already still know those that start later; a list of revoked certificates that is newer
-   * than the bundle's; and its {@code jaas.conf}.
+   * than the bundle's, and a policy that is; and its {@code jaas.conf}.
    *
    * @param file the bundle's name, for messages
    * @param now what this computer's clock says
@@ -125,16 +131,39 @@ public final class IdentityInstaller {
     }
     write(draft, SecurityFiles.AUTHORITY, bundle.bundle().required(SecurityFiles.AUTHORITY));
     write(draft, SecurityFiles.REVOKED, newest(bundle, former));
-    for (String each : new String[] {SecurityFiles.POLICY, SecurityFiles.POLICY_SIGNATURE}) {
-      Optional<byte[]> content = bundle.bundle().file(each);
-      if (content.isPresent()) {
-        write(draft, each, content.get());
-      }
-    }
+    writePolicy(draft, bundle, former);
     Path jaas = folder().resolve(SecurityFiles.JAAS);
     if (former.isPresent() && Files.exists(jaas)) {
       write(draft, SecurityFiles.JAAS, Files.readAllBytes(jaas));
     }
+  }
+
+  /** The newer of the bundle's and the one that is there, which may have come another way. */
+  private void writePolicy(Path draft, VerifiedBundle bundle, Optional<TeamCredentials> former)
+      throws IOException {
+    boolean isFormerNewer = former.isPresent() && formerVersion(bundle) > version(bundle.policy());
+    for (String each : new String[] {SecurityFiles.POLICY, SecurityFiles.POLICY_SIGNATURE}) {
+      Optional<byte[]> content =
+          isFormerNewer
+              ? Optional.of(Files.readAllBytes(folder().resolve(each)))
+              : bundle.bundle().file(each);
+      if (content.isPresent()) {
+        write(draft, each, content.get());
+      }
+    }
+  }
+
+  private long formerVersion(VerifiedBundle bundle) throws IOException {
+    try {
+      return version(
+          new PolicyStore(folder(), bundle.authority(), BundledPolicy.catalogue()).load());
+    } catch (PolicySignatureException | ConfigurationException e) {
+      return NO_POLICY; // damaged: to join again repairs it
+    }
+  }
+
+  private static long version(Optional<Policy> policy) {
+    return policy.map(Policy::version).orElse(NO_POLICY);
   }
 
   private void writeKey(Path draft, KeyEntry entry, String store, String passphrase, String alias)

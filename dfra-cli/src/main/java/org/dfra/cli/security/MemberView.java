@@ -5,9 +5,9 @@ import java.security.cert.X509CRL;
 import java.security.cert.X509Certificate;
 import java.time.Instant;
 import java.util.Optional;
+import org.dfra.core.policy.Policy;
 import org.dfra.river.identity.CertificateFingerprint;
 import org.dfra.river.identity.CertificateValidity;
-import org.dfra.river.identity.SecurityFiles;
 import org.dfra.river.identity.SignedFiles;
 import org.dfra.river.identity.TeamCredentials;
 import org.dfra.security.Member;
@@ -26,7 +26,7 @@ import org.dfra.security.Member;
  * @param authority subject of the authority's certificate
  * @param authorityFingerprint SHA-256 of the authority's certificate
  * @param revocationList number of the list of revoked certificates
- * @param policy number of the policy
+ * @param policy version of the policy
  */
 record MemberView(
     String name,
@@ -40,7 +40,7 @@ record MemberView(
     String authority,
     String authorityFingerprint,
     Optional<BigInteger> revocationList,
-    Optional<String> policy) {
+    Optional<Long> policy) {
 
   /** What is in a bundle. */
   static MemberView of(VerifiedBundle bundle, Instant now) {
@@ -49,12 +49,12 @@ record MemberView(
         bundle.certificate(),
         bundle.authority(),
         Optional.of(bundle.revocations()),
-        bundle.bundle().file(SecurityFiles.POLICY),
+        bundle.policy(),
         now);
   }
 
   /** What a computer has joined as. */
-  static MemberView of(TeamCredentials credentials, Optional<byte[]> policy, Instant now) {
+  static MemberView of(TeamCredentials credentials, Optional<Policy> policy, Instant now) {
     return of(
         credentials.member(),
         credentials.certificate(),
@@ -69,7 +69,7 @@ record MemberView(
       X509Certificate certificate,
       X509Certificate authority,
       Optional<X509CRL> revocations,
-      Optional<byte[]> policy,
+      Optional<Policy> policy,
       Instant now) {
     CertificateValidity validity = CertificateValidity.of(certificate, authority);
     boolean isRevoked = revocations.map(list -> list.isRevoked(certificate)).orElse(false);
@@ -85,7 +85,7 @@ record MemberView(
         authority.getSubjectX500Principal().getName(),
         CertificateFingerprint.sha256(authority),
         revocations.flatMap(SignedFiles::number),
-        policy.flatMap(PolicyVersion::of));
+        policy.map(Policy::version));
   }
 
   private static String words(CertificateValidity.Status status) {

@@ -12,6 +12,8 @@ import java.time.Instant;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.dfra.cli.team.PhoenixOptions.StateOption;
+import org.dfra.core.policy.Policy;
+import org.dfra.core.policy.PolicyXml;
 import org.dfra.report.terminal.CommandOutput;
 import org.dfra.report.terminal.ExitCode;
 import org.dfra.river.identity.IdentityException;
@@ -98,12 +100,14 @@ final class ShowCommand implements Callable<Integer> {
                 SignedFiles.revocations(Files.readAllBytes(list), authority, list.toString()))
             : Optional.empty();
     return CertificateView.of(
-        authority, file.toString(), number, policy(folder).flatMap(PolicyVersion::of));
+        authority, file.toString(), number, policy(folder).map(Policy::version));
   }
 
-  private static Optional<byte[]> policy(Path folder) throws IOException {
+  private static Optional<Policy> policy(Path folder) {
     Path policy = folder.resolve(SecurityFiles.POLICY);
-    return Files.exists(policy) ? Optional.of(Files.readAllBytes(policy)) : Optional.empty();
+    return Files.exists(policy)
+        ? Optional.of(PolicyXml.read(policy, BundledPolicy.catalogue()))
+        : Optional.empty();
   }
 
   private static boolean isZip(Path file) throws IOException {

@@ -4,6 +4,7 @@ import java.security.cert.X509CRL;
 import java.security.cert.X509Certificate;
 import java.time.Instant;
 import java.util.Optional;
+import org.dfra.core.policy.Policy;
 import org.dfra.river.identity.CertificateValidity;
 import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.KeyEntry;
@@ -21,6 +22,7 @@ import org.dfra.security.MemberRole;
  * @param identity the member's key and certificates
  * @param authority the authority's certificate
  * @param revocations the list of revoked certificates
+ * @param policy the team's policy; empty if it has none
  * @param robotKey the key between a robot's processes; empty if the member is no robot
  */
 public record VerifiedBundle(
@@ -29,6 +31,7 @@ public record VerifiedBundle(
     KeyEntry identity,
     X509Certificate authority,
     X509CRL revocations,
+    Optional<Policy> policy,
     Optional<KeyEntry> robotKey) {
 
   /** The member's certificate. */
@@ -47,6 +50,7 @@ public record VerifiedBundle(
    * @param passphrase the one-time passphrase, as it was typed
    * @param file the bundle's name, for messages
    * @throws IdentityException if the passphrase is wrong or anything in it is not what it should be
+   * @throws org.dfra.core.config.ConfigurationException if its policy cannot be read here
    */
   public static VerifiedBundle open(Bundle bundle, String passphrase, String file)
       throws IdentityException {
@@ -66,9 +70,10 @@ public record VerifiedBundle(
     X509CRL revocations =
         SignedFiles.revocations(
             bundle.required(SecurityFiles.REVOKED), authority, in(file, SecurityFiles.REVOKED));
-    requirePolicy(bundle, authority, file);
-    return new VerifiedBundle(
-        bundle, member, identity, authority, revocations, robotKey(bundle, member, opens, file));
+    Optional<Policy> policy =
+        BundledPolicy.of(bundle, authority, member.team(), in(file, SecurityFiles.POLICY));
+    Optional<KeyEntry> robotKey = robotKey(bundle, member, opens, file);
+    return new VerifiedBundle(bundle, member, identity, authority, revocations, policy, robotKey);
   }
 
   /**
@@ -85,18 +90,6 @@ public record VerifiedBundle(
     if (revocations.isRevoked(certificate())) {
       throw new IdentityException(
           "the authority has revoked the certificate of " + member + " in " + file);
-    }
-  }
-
-  private static void requirePolicy(Bundle bundle, X509Certificate authority, String file)
-      throws IdentityException {
-    Optional<byte[]> policy = bundle.file(SecurityFiles.POLICY);
-    if (policy.isPresent()) {
-      SignedFiles.requirePolicySignature(
-          policy.get(),
-          bundle.required(SecurityFiles.POLICY_SIGNATURE),
-          authority,
-          in(file, SecurityFiles.POLICY));
     }
   }
 
