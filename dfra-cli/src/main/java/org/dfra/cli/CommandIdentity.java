@@ -39,8 +39,7 @@ final class CommandIdentity {
   static void install(String[] args) {
     if (args.length > 0 && !args[0].startsWith("-") && !WITHOUT.contains(args[0])) {
       SecureProcess.Installed unused =
-          SecureProcess.installForCommand(
-              SecureProcess.folder(state(List.of(args))), args[0].equals(STOP));
+          SecureProcess.install(SecureProcess.folder(state(List.of(args))), args[0].equals(STOP));
     }
   }
 

@@ -55,6 +55,8 @@ final class GroupVm {
     SerialFilters.install();
     try {
       TrustedCode.install();
+      // First, since the proxies in what is read keep the identity.
+      SecureProcess.Installed unused = SecureProcess.installFromProperty();
       ObjectInputStream in = new ObjectInputStream(System.in);
       ActivationGroupID id = (ActivationGroupID) in.readObject();
       ActivationGroupDesc desc = (ActivationGroupDesc) in.readObject();
@@ -62,8 +64,7 @@ final class GroupVm {
       in.close();
       redirectOutput();
       own(Path.of(System.getProperty(GroupProcess.LOCK_PROPERTY)));
-      SecureProcess.Installed unused =
-          SecureProcess.installFromProperty(System.getProperty(Phoenix.GROUP_NAME, "group"));
+      SecureProcess.startAudit(System.getProperty(Phoenix.GROUP_NAME, "group"));
       GroupCodebasePublisher.begin();
       ActivationGroup.createGroup(id, desc, incarnation);
     } catch (EOFException e) {

@@ -108,8 +108,9 @@ public final class Phoenix implements AutoCloseable {
     UncaughtExceptionLogger.install();
     try {
       TrustedCode.install();
-      SecureProcess.Installed unused = SecureProcess.installFromProperty("phoenix");
+      SecureProcess.Installed unused = SecureProcess.installFromProperty();
       Phoenix phoenix = start(ConfigurationProvider.getInstance(args));
+      SecureProcess.startAudit("phoenix"); // no other daemon has the journal now
       Runtime.getRuntime().addShutdownHook(new Thread(phoenix::close, "phoenix-end"));
       phoenix.closed.await();
       Runtime.getRuntime().exit(0);

@@ -10,6 +10,7 @@ import java.time.Clock;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.dfra.core.audit.AuditEvent;
 import org.dfra.core.audit.AuditTrail;
 import org.dfra.core.audit.AuditedGuard;
 import org.dfra.core.policy.BuiltInPolicies;
@@ -29,6 +30,7 @@ import org.dfra.security.AccessRequest;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
 import org.dfra.security.Member;
+import org.jspecify.annotations.Nullable;
 
 /** The parts of a process's identity that change while it runs: its policy, and who is revoked. */
 final class ProcessIdentity {
@@ -38,6 +40,7 @@ final class ProcessIdentity {
   private final PolicyGuard policy;
   private final ReplaceableGuard guard;
   private final X509Certificate authority;
+  private volatile @Nullable AuditTrail audit;
 
   private ProcessIdentity(
       TeamIdentity identity,
@@ -139,13 +142,22 @@ final class ProcessIdentity {
     }
   }
 
-  /** Records all further decisions. */
+  /** Records all further decisions and events. */
   void audit(AuditTrail trail) {
+    audit = trail;
     guard.guard =
         new AuditedGuard(
             policy,
             trail,
             method -> MethodKinds.of(method.getDeclaringClass(), method).kind() == MethodKind.READ);
+  }
+
+  /** Records an event, if there is an audit trail. */
+  void record(AuditEvent event) {
+    @Nullable AuditTrail trail = audit;
+    if (trail != null) {
+      trail.record(event);
+    }
   }
 
   TeamIdentity identity() {

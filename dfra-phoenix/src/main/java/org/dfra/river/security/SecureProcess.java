@@ -7,7 +7,6 @@ import java.security.GeneralSecurityException;
 import java.time.Clock;
 import java.time.InstantSource;
 import java.util.Objects;
-import java.util.Optional;
 import org.dfra.core.audit.AuditEvent;
 import org.dfra.core.audit.AuditKind.SecurityMode;
 import org.dfra.core.audit.AuditSettings;
@@ -50,6 +49,9 @@ public final class SecureProcess {
   @GuardedBy("SecureProcess.class")
   private static @Nullable Installed installed;
 
+  @GuardedBy("SecureProcess.class")
+  private static @Nullable ProcessIdentity identity;
+
   private SecureProcess() {}
 
   /** The folder of the identity in a state folder. */
@@ -63,80 +65,82 @@ public final class SecureProcess {
   }
 
   /**
-   * Installs what the system property {@value #PROPERTY} names, if it is set. For the main methods
-   * of robots' processes.
+   * Installs the identity that the system property {@value #PROPERTY} names, if it is set. For the
+   * main methods of robots' processes, before they read or export anything remote.
    *
-   * @param stream name of this process's audit trail
-   * @throws IllegalStateException if there is an identity, and not even a robot's own key with
-   *     which it could run closed: it must not run at all
-   */
-  public static Installed installFromProperty(String stream) {
-    @Nullable String folder = System.getProperty(PROPERTY);
-    return folder == null ? Installed.OPEN : install(Path.of(folder), stream);
-  }
-
-  /**
-   * Installs an identity, before anything is exported or called.
-   *
-   * @param folder {@code security} in the state folder
-   * @param stream name of this process's audit trail
    * @throws IllegalStateException if there is an identity that cannot be used, and not even a
    *     robot's own key with which the process could run closed: it must not run at all
    */
-  public static synchronized Installed install(Path folder, String stream) {
-    if (installed != null) {
-      return installed;
-    }
-    Installed made =
-        IdentityFolder.isJoined(folder) ? installMember(folder, stream, false) : Installed.OPEN;
-    installed = made;
-    return made;
+  public static Installed installFromProperty() {
+    @Nullable String folder = System.getProperty(PROPERTY);
+    return folder == null ? Installed.OPEN : install(Path.of(folder), false);
   }
 
   /**
-   * Installs the identity of a command, which serves nobody and has no audit trail.
+   * Installs an identity.
    *
    * @param folder {@code security} in the state folder
    * @param believesExpired whether robots with an expired certificate are called too, as only
    *     stopping them needs
-   * @throws IllegalStateException if there is an identity that cannot be used
+   * @throws IllegalStateException if there is an identity that cannot be used, and not even a
+   *     robot's own key with which the process could run closed: it must not run at all
    */
-  public static synchronized Installed installForCommand(Path folder, boolean believesExpired) {
+  public static synchronized Installed install(Path folder, boolean believesExpired) {
     if (installed == null) {
       installed =
-          IdentityFolder.isJoined(folder)
-              ? installMember(folder, "", believesExpired)
-              : Installed.OPEN;
+          IdentityFolder.isJoined(folder) ? installMember(folder, believesExpired) : Installed.OPEN;
     }
     return installed;
   }
 
-  private static Installed installMember(Path folder, String stream, boolean believesExpired) {
-    ProcessIdentity identity;
+  @GuardedBy("SecureProcess.class")
+  private static Installed installMember(Path folder, boolean believesExpired) {
+    ProcessIdentity made;
     SecurityMode mode = SecurityMode.SECURE;
     String fault = "";
     try {
-      identity =
+      made =
           ProcessIdentity.of(
               IdentityFolder.load(folder), folder, believesExpired, Clock.systemUTC());
     } catch (IdentityException | IOException | GeneralSecurityException e) {
       mode = SecurityMode.CLOSED;
       fault = Objects.toString(e.getMessage(), e.toString());
-      identity = closed(folder, fault);
-    }
-    Optional<AuditTrail> trail =
-        stream.isEmpty() ? Optional.empty() : trail(folder, stream, identity);
-    trail.ifPresent(identity::audit);
-    CurrentIdentity.setForProcess(identity.identity());
-    SecurityWatch.start(folder, identity, trail);
-    if (mode == SecurityMode.CLOSED) {
+      made = closed(folder, fault);
       LOG.error("This process works for its own robot only: {}", fault);
     }
-    SecurityMode entered = mode;
-    String reason = fault;
-    trail.ifPresent(it -> it.record(AuditEvent.processStarted(entered, reason)));
-    return new Installed(
-        mode, identity.identity().member().toString(), identity.identity().robot(), fault);
+    identity = made;
+    CurrentIdentity.setForProcess(made.identity());
+    SecurityWatch.start(folder, made);
+    return new Installed(mode, made.identity().member().toString(), made.identity().robot(), fault);
+  }
+
+  /**
+   * Starts the audit trail of a process with an identity. If it cannot be written, the process
+   * works without one and says so in its log.
+   *
+   * @param stream name of the trail, which no other process writes
+   */
+  public static synchronized void startAudit(String stream) {
+    ProcessIdentity own = identity;
+    @Nullable String folder = System.getProperty(PROPERTY);
+    if (own == null || folder == null) {
+      return;
+    }
+    Path state = Objects.requireNonNull(Path.of(folder).toAbsolutePath().getParent());
+    AuditTrail trail =
+        new AuditTrail(
+            AuditSettings.of(
+                AuditSettings.folder(state), stream, own.identity().member().toString()),
+            InstantSource.system());
+    try {
+      trail.start();
+    } catch (IOException e) { // a robot works on a full disk too
+      LOG.error("Calls of this process are not recorded: {}", e.getMessage());
+      return;
+    }
+    Runtime.getRuntime().addShutdownHook(new Thread(trail::close, "audit-end"));
+    own.audit(trail);
+    trail.record(AuditEvent.processStarted(current().mode(), current().fault()));
   }
 
   /** The robot's own key has no dates, and a file of its own. */
@@ -146,23 +150,6 @@ public final class SecureProcess {
     } catch (IdentityException | GeneralSecurityException e) {
       throw new IllegalStateException(
           fault + " (and this process cannot work for itself: " + e.getMessage() + ")", e);
-    }
-  }
-
-  private static Optional<AuditTrail> trail(Path folder, String stream, ProcessIdentity identity) {
-    Path state = Objects.requireNonNull(folder.toAbsolutePath().getParent());
-    AuditTrail trail =
-        new AuditTrail(
-            AuditSettings.of(
-                AuditSettings.folder(state), stream, identity.identity().member().toString()),
-            InstantSource.system());
-    try {
-      trail.start();
-      Runtime.getRuntime().addShutdownHook(new Thread(trail::close, "audit-end"));
-      return Optional.of(trail);
-    } catch (IOException e) { // a robot works on a full disk too
-      LOG.error("Calls of this process are not recorded: {}", e.getMessage());
-      return Optional.empty();
     }
   }
 }

@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import org.dfra.core.audit.AuditEvent;
-import org.dfra.core.audit.AuditTrail;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.policy.Policy;
 import org.dfra.core.policy.PolicyReplacementException;
@@ -37,23 +36,21 @@ final class SecurityWatch implements Runnable {
   private final Path revokedFile;
   private final Path folder;
   private final ProcessIdentity identity;
-  private final Optional<AuditTrail> trail;
   private List<Object> policyState;
   private List<Object> revokedState;
 
-  private SecurityWatch(Path folder, ProcessIdentity identity, Optional<AuditTrail> trail) {
+  private SecurityWatch(Path folder, ProcessIdentity identity) {
     this.folder = folder;
     this.policyFile = folder.resolve(SecurityFiles.POLICY);
     this.revokedFile = folder.resolve(SecurityFiles.REVOKED);
     this.identity = identity;
-    this.trail = trail;
     this.policyState = state(policyFile);
     this.revokedState = state(revokedFile);
   }
 
   /** Starts to watch what has just been loaded. */
-  static void start(Path folder, ProcessIdentity identity, Optional<AuditTrail> trail) {
-    Thread thread = new Thread(new SecurityWatch(folder, identity, trail), "dfra-security");
+  static void start(Path folder, ProcessIdentity identity) {
+    Thread thread = new Thread(new SecurityWatch(folder, identity), "dfra-security");
     thread.setDaemon(true);
     thread.start();
   }
@@ -101,8 +98,7 @@ final class SecurityWatch implements Runnable {
       if (isNewer) {
         long number = identity.revoked().number().longValue();
         LOG.info("The list {} of revoked certificates is in force.", number);
-        trail.ifPresent(
-            it -> it.record(AuditEvent.revocationReceived(number, revokedFile.toString(), "")));
+        identity.record(AuditEvent.revocationReceived(number, revokedFile.toString(), ""));
       }
     } catch (IdentityException | GeneralSecurityException e) {
       LOG.error("The former list of revoked certificates stays in force: {}", e.getMessage());
@@ -119,9 +115,7 @@ final class SecurityWatch implements Runnable {
       Optional<Policy> next = ProcessIdentity.stored(folder, identity.authority());
       if (next.isPresent() && identity.policy().replace(next.get())) {
         LOG.info("{} is in force.", next.get());
-        trail.ifPresent(
-            it ->
-                it.record(AuditEvent.policyReplaced(next.get().version(), policyFile.toString())));
+        identity.record(AuditEvent.policyReplaced(next.get().version(), policyFile.toString()));
       }
     } catch (IOException | ConfigurationException | PolicyReplacementException e) {
       LOG.error(
