@@ -61,7 +61,7 @@ public final class IdentityFolder {
     X500PrivateCredential credential = credential(subject, securityFolder);
     X509Certificate certificate = credential.getCertificate();
     Member member = TeamCertificates.member(chain(subject, certificate), authority, identity);
-    TeamCertificates.requireMatch(credential.getPrivateKey(), certificate, identity);
+    KeyChecks.requireMatch(credential.getPrivateKey(), certificate, identity);
     Optional<X509CRL> revocations = revocations(securityFolder, authority);
     Optional<RobotKey> robotKey = robotKey(securityFolder, login, member);
     subject.getPrincipals().add(member);
@@ -140,7 +140,7 @@ public final class IdentityFolder {
     RobotKey robotKey =
         KeyEntry.read(bytes.get(), passphrase.get(), SecurityFiles.ROBOT_ALIAS, file.toString())
             .asRobotKey();
-    TeamCertificates.requireRobotKey(robotKey, member, file.toString());
+    KeyChecks.requireRobotKey(robotKey, member, file.toString());
     return Optional.of(robotKey);
   }
 }
