@@ -124,6 +124,12 @@ public final class Main {
       System.err.println(ConsoleMessages.prefixed(String.valueOf(e.getMessage())));
       System.exit(1);
     }
+    try {
+      CommandIdentity.install(args);
+    } catch (IllegalStateException e) {
+      System.err.println(ConsoleMessages.prefixed(String.valueOf(e.getMessage())));
+      System.exit(1);
+    }
     System.exit(commandLine(args).execute(args));
   }
 

@@ -86,7 +86,9 @@ record RecordView(
       return what;
     }
     double seconds = Duration.between(since.get(), time).toMillis() / MILLIS;
-    return what + String.format(Locale.ROOT, ", %d more in %.1f s", count, Math.max(0, seconds));
+    String times = kind.equals(AuditKind.CALL.text()) ? "more" : "times";
+    return what
+        + String.format(Locale.ROOT, ", %d %s in %.1f s", count, times, Math.max(0, seconds));
   }
 
   private String kindInWords() {
@@ -117,20 +119,5 @@ record RecordView(
     }
     String obliged = "obliges to " + String.join(", ", obligations);
     return reason.isEmpty() ? obliged : reason + "; " + obliged;
-  }
-
-  /** For a line without a table around it: as aligned as is possible without the next lines. */
-  String inWords() {
-    String text =
-        String.format(
-            Locale.ROOT,
-            "%s  %-40s  %-50s  %-6s  %-20s  %s",
-            timeInWords(),
-            whoInWords(),
-            whatInWords(),
-            decision,
-            rule,
-            reasonInWords());
-    return text.stripTrailing();
   }
 }

@@ -4,12 +4,12 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import org.dfra.core.audit.TrailReader;
 import org.dfra.core.host.CommandName;
 import org.dfra.report.terminal.CommandOutput;
 import org.dfra.report.terminal.ExitCode;
-import org.dfra.report.terminal.Table;
 
 /** Prints the records that a user asked for. */
 final class TrailPrinter {
@@ -45,17 +45,14 @@ final class TrailPrinter {
     NewestRecords newest = read();
     long all = newest.all();
     List<RecordView> records = newest.take();
-    Table table = new Table("TIME", "WHO", "WHAT", "DECISION", "RULE", "REASON");
-    for (RecordView each : records) {
-      table.row(
-          each.timeInWords(),
-          each.whoInWords(),
-          each.whatInWords(),
-          each.decision(),
-          each.rule(),
-          each.reasonInWords());
+    if (records.isEmpty()) {
+      answer.sentence(records, nothing(options.folder()));
+    } else {
+      RecordColumns columns = RecordColumns.of(records);
+      List<String> lines = new ArrayList<>(List.of(columns.heading()));
+      records.forEach(each -> lines.add(columns.line(each)));
+      answer.lines(records, lines);
     }
-    answer.table(records, table, nothing(options.folder()));
     noteLeftOut(all, records.size());
   }
 
@@ -102,7 +99,7 @@ final class TrailPrinter {
       NewestRecords newest = read();
       long all = newest.all();
       List<RecordView> records = newest.take();
-      records.forEach(each -> answer.line(each, each.inWords()));
+      records.forEach(each -> answer.line(each, RecordColumns.USUAL.line(each)));
       noteLeftOut(all, records.size());
       unreadable = 0;
     } while (answer.isOutputOpen() && watch.await());

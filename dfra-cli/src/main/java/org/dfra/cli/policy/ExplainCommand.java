@@ -50,7 +50,7 @@ final class ExplainCommand implements Callable<Integer> {
   @Option(
       names = "--robot",
       paramLabel = "ROBOT",
-      description = "The robot that the called object belongs to (default: one without a rule).")
+      description = "The robot that the called object belongs to (default ${DEFAULT-VALUE}).")
   private String robot = "robot";
 
   @Option(

@@ -29,6 +29,7 @@ import org.dfra.river.loading.RobotCodebase;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** {@code ./dfra up}. */
@@ -50,6 +51,13 @@ public final class UpCommand implements Callable<Integer> {
       description = "The robots' descriptions (default: that of atrv1, which comes with DFRA).")
   private List<Path> xml =
       List.of(Path.of(System.getProperty("dfra.root", ""), "config", "robots", "atrv1.xml"));
+
+  @Option(
+      names = "--open",
+      description =
+          "Let robots be open to everybody who reaches their address: without it, a robot of a"
+              + " computer that has joined no team may have a loopback address only.")
+  private boolean open;
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // set by picocli before the call
@@ -73,6 +81,9 @@ public final class UpCommand implements Callable<Integer> {
   @Override
   public Integer call() throws Exception {
     List<RobotDescription> robots = robots();
+    for (RobotDescription each : robots) {
+      RobotSecurity.require(each, open);
+    }
     PhoenixProcess phoenix = options.lastStarted();
     if (!phoenix.isResponding(PhoenixOptions.TIMEOUT)) {
       // Every proxy that reactivates a module contains its address, so other hosts must reach it

@@ -154,9 +154,11 @@ public final class PhoenixOptions {
 
     /** The folder, as an absolute path. It may not exist yet. */
     public Path folder() {
-      if (state != null) {
-        return state.toAbsolutePath();
-      }
+      return state == null ? defaultFolder() : state.toAbsolutePath();
+    }
+
+    /** The folder if none is named. */
+    public static Path defaultFolder() {
       String variable = System.getenv("DFRA_STATE");
       return variable == null || variable.isBlank()
           ? Path.of(home(), ".dfra").toAbsolutePath()

@@ -90,7 +90,8 @@ public class GuardedDispatcher extends FilteredInvocationDispatcher {
   private static void ask(
       GuardedEndpoint endpoint, Remote impl, Method method, Collection<?> context) {
     String object = impl instanceof GuardedObject named ? named.guardedName() : "";
-    AccessRequest request = new AccessRequest(caller(context), endpoint.robot(), object, method);
+    AccessRequest request =
+        new AccessRequest(caller(context), endpoint.robot(), object, impl.getClass(), method);
     @Nullable Guard guard = endpoint.guard();
     if (guard == null) {
       throw new IllegalStateException("an endpoint has lost its guard");

@@ -1,5 +1,6 @@
 package org.dfra.river.identity;
 
+import java.lang.System.Logger.Level;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
@@ -19,6 +20,8 @@ import org.dfra.security.Member;
  * {@link SecurityFiles} has the names of its files.
  */
 public final class IdentityFolder {
+
+  private static final System.Logger LOG = System.getLogger(IdentityFolder.class.getName());
 
   private IdentityFolder() {}
 
@@ -63,7 +66,11 @@ public final class IdentityFolder {
     Member member = TeamCertificates.member(chain(subject, certificate), authority, identity);
     KeyChecks.requireMatch(credential.getPrivateKey(), certificate, identity);
     Optional<X509CRL> revocations = revocations(securityFolder, authority);
-    Optional<RobotKey> robotKey = robotKey(securityFolder, login, member);
+    Optional<RobotKey> robotKey = robotKey(securityFolder, login);
+    if (robotKey.isPresent()) {
+      KeyChecks.requireRobotKey(
+          robotKey.get(), member, securityFolder.resolve(SecurityFiles.ROBOT).toString());
+    }
     subject.getPrincipals().add(member);
     subject.setReadOnly();
     return new TeamCredentials(
@@ -74,6 +81,32 @@ public final class IdentityFolder {
         List.of(certificate, authority),
         revocations,
         robotKey);
+  }
+
+  /**
+   * What a robot can work with for itself when {@link #load} has failed.
+   *
+   * @param securityFolder {@code security} in the state folder
+   * @throws IdentityException if the robot's own key cannot be used either, or this is no robot
+   */
+  public static RobotAlone loadAlone(Path securityFolder) throws IdentityException {
+    requireFolder(securityFolder);
+    Path file = securityFolder.resolve(SecurityFiles.ROBOT);
+    RobotKey key =
+        robotKey(securityFolder, new IdentityLogin(securityFolder))
+            .orElseThrow(
+                () ->
+                    new IdentityException(
+                        file + " is missing: only robots have a key of their own"));
+    X509Certificate authority = key.certificate();
+    Path authorityFile = securityFolder.resolve(SecurityFiles.AUTHORITY);
+    try {
+      authority =
+          TeamCertificates.authority(SecurityFiles.read(authorityFile), authorityFile.toString());
+    } catch (IdentityException e) {
+      LOG.log(Level.WARNING, "Only the robot's own key is known: " + e.getMessage());
+    }
+    return new RobotAlone(KeyChecks.robot(key, authority, file.toString()), key, authority);
   }
 
   private static void requireFolder(Path folder) throws IdentityException {
@@ -123,7 +156,7 @@ public final class IdentityFolder {
         : Optional.of(SignedFiles.revocations(bytes.get(), authority, file.toString()));
   }
 
-  private static Optional<RobotKey> robotKey(Path folder, IdentityLogin login, Member member)
+  private static Optional<RobotKey> robotKey(Path folder, IdentityLogin login)
       throws IdentityException {
     Path file = folder.resolve(SecurityFiles.ROBOT);
     Optional<byte[]> bytes = SecurityFiles.readIfThere(file);
@@ -140,7 +173,6 @@ public final class IdentityFolder {
     RobotKey robotKey =
         KeyEntry.read(bytes.get(), passphrase.get(), SecurityFiles.ROBOT_ALIAS, file.toString())
             .asRobotKey();
-    KeyChecks.requireRobotKey(robotKey, member, file.toString());
     return Optional.of(robotKey);
   }
 }

@@ -7,13 +7,18 @@ import java.security.PrivateKey;
 import java.security.Signature;
 import java.security.SignatureException;
 import java.security.cert.X509Certificate;
+import java.util.Optional;
+import javax.naming.InvalidNameException;
+import javax.naming.ldap.LdapName;
 import org.dfra.security.Member;
+import org.dfra.security.MemberRole;
 
 /** Checks of private keys against their certificates. */
 public final class KeyChecks {
 
   private static final String AGAIN = "; join the team again: security join NAME.bundle";
   private static final String ROBOT_KEY = " robot key";
+  private static final String UNKNOWN_TEAM = "unknown";
 
   private KeyChecks() {}
 
@@ -66,6 +71,43 @@ public final class KeyChecks {
     } catch (GeneralSecurityException e) {
       throw new IdentityException(
           "the certificate in " + file + " is not signed by its own key (" + e + ")" + AGAIN, e);
+    }
+  }
+
+  /**
+   * The robot that its own key names, in the team of an authority.
+   *
+   * @param authority of the team; the key's own certificate if it is not known
+   * @param file of the key, for messages
+   */
+  static Member robot(TeamCredentials.RobotKey key, X509Certificate authority, String file)
+      throws IdentityException {
+    String name = part(key.certificate(), "CN").orElse("");
+    if (!name.endsWith(ROBOT_KEY)) {
+      throw new IdentityException("the key in " + file + " names no robot" + AGAIN);
+    }
+    try {
+      Member robot =
+          new Member(
+              part(authority, "O").orElse(UNKNOWN_TEAM),
+              MemberRole.ROBOT,
+              name.substring(0, name.length() - ROBOT_KEY.length()));
+      requireRobotKey(key, robot, file);
+      return robot;
+    } catch (IllegalArgumentException e) {
+      throw new IdentityException("the key in " + file + ": " + e.getMessage() + AGAIN, e);
+    }
+  }
+
+  private static Optional<String> part(X509Certificate certificate, String type) {
+    try {
+      return new LdapName(certificate.getSubjectX500Principal().getName())
+          .getRdns().stream()
+              .filter(each -> each.getType().equalsIgnoreCase(type))
+              .map(each -> String.valueOf(each.getValue()))
+              .findFirst();
+    } catch (InvalidNameException e) {
+      return Optional.empty();
     }
   }
 }

@@ -17,8 +17,6 @@ import org.jspecify.annotations.Nullable;
  */
 public final class RevokedCertificates {
 
-  private static final String NUMBER = "2.5.29.20"; // of a CRL, RFC 5280 section 5.2.3
-
   /** What a list says. */
   private record Known(BigInteger number, Set<BigInteger> serials) {}
 
@@ -66,7 +64,11 @@ public final class RevokedCertificates {
               + authority.getSubjectX500Principal());
     }
     list.verify(authority.getPublicKey());
-    Known next = new Known(number(list), serials(list));
+    BigInteger number =
+        SignedFiles.number(list)
+            .orElseThrow(
+                () -> new GeneralSecurityException("a list of revoked certificates has no number"));
+    Known next = new Known(number, serials(list));
     synchronized (this) {
       if (next.number().compareTo(known.number()) <= 0) {
         return false;
@@ -75,21 +77,6 @@ public final class RevokedCertificates {
     }
     listeners.forEach(Runnable::run);
     return true;
-  }
-
-  /** The number in its extension: an octet string that contains an integer. */
-  private static BigInteger number(X509CRL list) throws GeneralSecurityException {
-    byte @Nullable [] coded = list.getExtensionValue(NUMBER);
-    boolean isShort = coded != null && coded.length > 4 && coded.length < 0x80;
-    if (coded == null
-        || !isShort
-        || coded[0] != 4
-        || coded[1] != coded.length - 2
-        || coded[2] != 2
-        || coded[3] != coded.length - 4) {
-      throw new GeneralSecurityException("a list of revoked certificates has no number");
-    }
-    return new BigInteger(coded, 4, coded.length - 4);
   }
 
   private static Set<BigInteger> serials(X509CRL list) {

@@ -77,7 +77,7 @@ public final class SecurityFiles {
    *
    * @throws IdentityException if it is missing, unreadable or too large
    */
-  static byte[] read(Path file) throws IdentityException {
+  public static byte[] read(Path file) throws IdentityException {
     return readIfThere(file)
         .orElseThrow(
             () ->

@@ -261,6 +261,9 @@ public final class TeamIdentity implements ChannelIdentity {
     /** A revoked key may be in other hands: elsewhere it is nobody's. */
     private Standing standing() {
       Standing standing = trust.standing(certificate);
+      if (standing == Standing.MEMBER && who.equals(member)) {
+        return Standing.OWN; // with the certificate before or after a renewal
+      }
       return standing == Standing.OWN && trust.isRevoked(certificate) && !isLocal
           ? Standing.STRANGER
           : standing;

@@ -5,8 +5,9 @@ import org.dfra.security.Caller;
 import org.dfra.security.Member;
 
 /**
- * Compares callers as their records do, but field by field: a record's own method takes 600 ns with
- * the first compiler only (C1), which is what robots' groups have, and this one 30 ns.
+ * Compares callers as their records do, but field by field. With the first compiler only (C1),
+ * which robots' groups have, a call whose caller is equal but not the same object took about 700 ns
+ * to record with the records' own method, and takes about 50 ns with this one.
  */
 final class CallerEquality {
 

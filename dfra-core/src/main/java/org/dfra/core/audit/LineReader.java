@@ -7,8 +7,10 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import org.dfra.core.host.PrivateFiles;
 import org.jspecify.annotations.Nullable;
 
 /** Reads a file line by line, with at most one line in memory. */
@@ -37,9 +39,20 @@ final class LineReader implements Closeable {
 
   /** Opens a file at an offset, where a line begins. */
   static LineReader open(Path path, long offset) throws IOException {
-    FileChannel channel = FileChannel.open(path, StandardOpenOption.READ);
+    FileChannel channel;
+    try {
+      channel = FileChannel.open(path, StandardOpenOption.READ);
+    } catch (AccessDeniedException e) {
+      throw notReadable(path, e);
+    }
     InputStream in = Channels.newInputStream(channel.position(offset)); // may be after the end
     return new LineReader(new BufferedInputStream(in, LONGEST_LINE), offset);
+  }
+
+  /** What to do if a user may not read a file or a folder. */
+  static IOException notReadable(Path path, AccessDeniedException e) {
+    String owner = PrivateFiles.ownerName(path);
+    return new IOException("cannot read " + path + "; run this as user " + owner, e);
   }
 
   /** The next line; null at the end of the file. */

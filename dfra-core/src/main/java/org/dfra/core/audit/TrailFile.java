@@ -1,6 +1,7 @@
 package org.dfra.core.audit;
 
 import java.io.IOException;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
@@ -51,6 +52,8 @@ record TrailFile(String stream, long number, Path path) {
       return streams;
     } catch (NotDirectoryException e) {
       throw new IOException(folder + " is a file; the audit trail is in a folder", e);
+    } catch (AccessDeniedException e) {
+      throw LineReader.notReadable(folder, e);
     }
     return streams;
   }

@@ -55,23 +55,37 @@ record TrailRecovery(TrailPosition position, long file, long size, List<String> 
    */
   private record Tail(@Nullable TrailPosition position, long end) {
 
+    /** Decodes from the end: nearly always only the last line, since a start must be fast. */
     static Tail of(Path path) throws IOException {
-      @Nullable TrailPosition position = null;
-      long end = 0;
-      try (LineReader lines = LineReader.open(path, 0)) {
-        for (@Nullable RawLine line = lines.next(); line != null; line = lines.next()) {
-          @Nullable TrailPosition at =
-              line.isComplete() && !line.isTooLong() ? position(line) : null;
-          if (at != null) {
-            position = at;
-            end = line.end();
+      List<Long> begins = begins(path);
+      for (int i = begins.size() - 1; i >= 0; i--) {
+        try (LineReader lines = LineReader.open(path, begins.get(i))) {
+          @Nullable RawLine line = lines.next();
+          @Nullable TrailPosition at = line == null ? null : position(line);
+          if (line != null && at != null) {
+            return new Tail(at, line.end());
           }
         }
       }
-      return new Tail(position, end);
+      return new Tail(null, 0);
+    }
+
+    private static List<Long> begins(Path path) throws IOException {
+      List<Long> begins = new ArrayList<>();
+      try (LineReader lines = LineReader.open(path, 0)) {
+        long begin = 0;
+        for (@Nullable RawLine line = lines.next(); line != null; line = lines.next()) {
+          begins.add(begin);
+          begin = line.end();
+        }
+      }
+      return begins;
     }
 
     private static @Nullable TrailPosition position(RawLine line) {
+      if (!line.isComplete() || line.isTooLong()) {
+        return null;
+      }
       try {
         long number = LineDecoder.decode(line.bytes()).number();
         return new TrailPosition(number, TrailPosition.hash(line.bytes()));

@@ -32,15 +32,20 @@ final class ActivePolicy {
    *
    * @param rule null for the refusal of calls that no rule matches
    * @param decision what is decided if it applies and its obligations are met
+   * @param unmet what is decided if its obligations are not met; null if it has none to meet
    * @param limiter counts its calls; null if it has no rate
    * @param isImmediate whether it decides without conditions to evaluate and calls to count
    */
   record Candidate(
       @Nullable PolicyRule rule,
       Decision decision,
+      @Nullable UnmetObligations unmet,
       Obligations obligations,
       @Nullable CallRateLimiter limiter,
       boolean isImmediate) {}
+
+  /** The refusals for unmet obligations. They are made once: a caller may repeat them often. */
+  record UnmetObligations(Decision tooOften, Decision notConfirmed) {}
 
   /** What the choice of rules depends on. */
   private record CallKey(
@@ -124,7 +129,7 @@ final class ActivePolicy {
       }
     }
     Decision refusal = Decision.deny(Policy.DEFAULT_RULE, RefusalReason.ofNoRule(policy, request));
-    candidates.add(new Candidate(null, refusal, Obligations.NONE, null, true));
+    candidates.add(new Candidate(null, refusal, null, Obligations.NONE, null, true));
     return candidates.toArray(Candidate[]::new);
   }
 
@@ -133,7 +138,20 @@ final class ActivePolicy {
         rule.effect() == PolicyRule.Effect.PERMIT
             ? Decision.permit(rule.name())
             : Decision.deny(rule.name(), RefusalReason.ofDenial(policy, rule, request));
-    boolean isImmediate = !rule.isConditional() && !rule.obligations().isChecked();
-    return new Candidate(rule, decision, rule.obligations(), limiters.get(rule), isImmediate);
+    boolean isChecked = rule.obligations().isChecked();
+    @Nullable UnmetObligations unmet =
+        isChecked
+            ? new UnmetObligations(
+                Decision.deny(rule.name(), RefusalReason.ofRate(policy, rule, request)),
+                Decision.deny(
+                    rule.name(), RefusalReason.ofMissingConfirmation(policy, rule, request)))
+            : null;
+    return new Candidate(
+        rule,
+        decision,
+        unmet,
+        rule.obligations(),
+        limiters.get(rule),
+        !rule.isConditional() && !isChecked);
   }
 }

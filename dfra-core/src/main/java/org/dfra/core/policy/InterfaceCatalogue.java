@@ -1,14 +1,9 @@
 package org.dfra.core.policy;
 
-import java.io.IOException;
-import java.io.InputStream;
 import java.lang.reflect.Method;
-import java.nio.charset.StandardCharsets;
 import java.util.Collection;
 import java.util.Collections;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -27,9 +22,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class InterfaceCatalogue {
 
-  private static final String TABLE = "remote-interfaces.tsv";
-
-  private static final InterfaceCatalogue BUILT_IN = read();
+  private static final InterfaceCatalogue BUILT_IN = parse(InterfaceTable.read());
 
   private final Map<String, CataloguedInterface> byName;
   private final @Nullable ClassLoader loader;
@@ -121,7 +114,7 @@ public final class InterfaceCatalogue {
     Set<String> methods = new TreeSet<>();
     for (Class<?> each : type.getInterfaces()) {
       add(each, all);
-      inherit(all.get(each.getName()), supers, methods);
+      InterfaceTable.inherit(all.get(each.getName()), supers, methods);
     }
     Map<String, DeclaredKind> declared = new TreeMap<>();
     for (Method each : type.getDeclaredMethods()) {
@@ -130,15 +123,6 @@ public final class InterfaceCatalogue {
       methods.add(each.getName());
     }
     all.put(type.getName(), new CataloguedInterface(type.getName(), supers, declared, methods));
-  }
-
-  private static void inherit(
-      @Nullable CataloguedInterface from, Set<String> supers, Set<String> methods) {
-    if (from != null) {
-      supers.add(from.name());
-      supers.addAll(from.superinterfaces());
-      methods.addAll(from.methods());
-    }
   }
 
   /** All interfaces, superinterfaces first. */
@@ -172,58 +156,8 @@ public final class InterfaceCatalogue {
     return names;
   }
 
-  private static InterfaceCatalogue read() {
-    try (InputStream in = InterfaceCatalogue.class.getResourceAsStream(TABLE)) {
-      if (in == null) {
-        throw new IOException("it is missing");
-      }
-      return parse(new String(in.readAllBytes(), StandardCharsets.UTF_8));
-    } catch (IOException e) {
-      throw new IllegalStateException(TABLE + " of this jar is damaged; rebuild DFRA", e);
-    }
-  }
-
-  /**
-   * Parses a table. A line that begins with a name begins an interface: its name, and after a tab
-   * the interfaces that it extends, which must be above it. A line that begins with a tab is one of
-   * its methods: name, kind and reason, separated by tabs.
-   */
+  /** The catalogue of a table; see {@link InterfaceTable}. */
   static InterfaceCatalogue parse(String table) {
-    Map<String, CataloguedInterface> all = new LinkedHashMap<>();
-    @Nullable CataloguedInterface current = null;
-    for (String line : table.lines().toList()) {
-      if (line.isBlank() || line.startsWith("#")) {
-        continue;
-      }
-      List<String> cells = List.of(line.split("\t"));
-      if (!line.startsWith("\t")) {
-        current = begun(cells, all);
-        all.put(current.name(), current);
-      } else if (current == null || cells.size() != 4) {
-        throw new IllegalStateException(TABLE + ": \"" + line + "\" is no method with its kind");
-      } else {
-        current
-            .declared()
-            .put(cells.get(1), new DeclaredKind(MethodKind.of(cells.get(2)), cells.get(3)));
-        current.methods().add(cells.get(1));
-      }
-    }
-    return new InterfaceCatalogue(all, null);
-  }
-
-  private static CataloguedInterface begun(
-      List<String> cells, Map<String, CataloguedInterface> all) {
-    Set<String> supers = new LinkedHashSet<>();
-    Set<String> methods = new HashSet<>();
-    if (cells.size() > 1) {
-      for (String each : cells.get(1).split(",")) {
-        if (!all.containsKey(each)) {
-          throw new IllegalStateException(
-              TABLE + ": " + each + " must be above " + cells.get(0) + ", which extends it");
-        }
-        inherit(all.get(each), supers, methods);
-      }
-    }
-    return new CataloguedInterface(cells.get(0), supers, new TreeMap<>(), new TreeSet<>(methods));
+    return new InterfaceCatalogue(InterfaceTable.parse(table), null);
   }
 }

@@ -71,22 +71,23 @@ public final class PolicyGuard implements Guard {
       }
       PolicyRule rule = each.rule();
       if (rule != null && rule.appliesNow(facts)) {
-        return observed(now, known, each, checked(now.policy(), rule, each, known));
+        return observed(now, known, each, checked(rule, each, known));
       }
     }
     throw new AssertionError("the last candidate always decides");
   }
 
   /** The decision of a rule that applies, after its rate and its confirmation are checked. */
-  private Decision checked(
-      Policy policy, PolicyRule rule, Candidate candidate, AccessRequest request) {
-    if (rule.obligations().isConfirmed() && !confirmations.isConfirmed(request, rule)) {
-      return Decision.deny(rule.name(), RefusalReason.ofMissingConfirmation(policy, rule, request));
+  private Decision checked(PolicyRule rule, Candidate candidate, AccessRequest request) {
+    ActivePolicy.@Nullable UnmetObligations unmet = candidate.unmet();
+    if (unmet == null) {
+      return candidate.decision();
     }
-    CallRateLimiter limiter = candidate.limiter();
-    return limiter == null || limiter.tryCall(request)
-        ? candidate.decision()
-        : Decision.deny(rule.name(), RefusalReason.ofRate(policy, rule, request));
+    if (rule.obligations().isConfirmed() && !confirmations.isConfirmed(request, rule)) {
+      return unmet.notConfirmed();
+    }
+    @Nullable CallRateLimiter limiter = candidate.limiter();
+    return limiter == null || limiter.tryCall(request) ? candidate.decision() : unmet.tooOften();
   }
 
   private Decision observed(

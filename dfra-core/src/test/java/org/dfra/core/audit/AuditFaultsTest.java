@@ -74,6 +74,21 @@ class AuditFaultsTest {
     assertThat(verified().notes()).hasSize(1);
   }
 
+  @Test
+  void whatASecondCrashTearsIsKeptBesideTheFirst() throws Exception {
+    Path file = TrailFile.of(folder, "gps", 1).path();
+    for (String torn : List.of("", "first", "second")) {
+      if (!torn.isEmpty()) {
+        Files.writeString(file, torn, StandardOpenOption.APPEND);
+      }
+      try (AuditTrail trail = started()) {
+        trail.record(different(1));
+      }
+    }
+    assertThat(TrailRecovery.beside(file)).hasContent("firstsecond");
+    assertThat(verified().broken()).isEmpty();
+  }
+
   /** A crash after any byte: the next start continues the lines that were whole. */
   @Test
   void crashAtAnyByteOfTheLastLineLosesOnlyThat() throws Exception {

@@ -17,6 +17,7 @@ import org.dfra.river.phoenix.host.PrintableOutputStream;
 import org.dfra.river.phoenix.host.ProcessLock;
 import org.dfra.river.phoenix.host.RotatingFileOutputStream;
 import org.dfra.river.phoenix.host.UncaughtExceptionLogger;
+import org.dfra.river.security.SecureProcess;
 import org.dfra.text.PrintableText;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.LoggerFactory;
@@ -61,12 +62,16 @@ final class GroupVm {
       in.close();
       redirectOutput();
       own(Path.of(System.getProperty(GroupProcess.LOCK_PROPERTY)));
+      SecureProcess.Installed unused =
+          SecureProcess.installFromProperty(System.getProperty(Phoenix.GROUP_NAME, "group"));
       GroupCodebasePublisher.begin();
       ActivationGroup.createGroup(id, desc, incarnation);
     } catch (EOFException e) {
       end(EXIT_NO_GROUP, "Phoenix ended before it sent the description of the group.");
     } catch (IOException e) {
       end(EXIT_LOCKED, String.valueOf(e.getMessage()));
+    } catch (IllegalStateException e) {
+      end(EXIT_REFUSED, "The group cannot be created: " + e.getMessage());
     } catch (ActivationException e) {
       end(EXIT_REFUSED, "The group cannot be created: " + e.getMessage() + cause(e));
     } catch (ClassNotFoundException e) {

@@ -35,6 +35,7 @@ import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.phoenix.access.LocalCallerGuard;
 import org.dfra.river.phoenix.access.ReadOnlyRegistrySocketFactory;
 import org.dfra.river.phoenix.host.UncaughtExceptionLogger;
+import org.dfra.river.security.SecureProcess;
 import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -107,11 +108,12 @@ public final class Phoenix implements AutoCloseable {
     UncaughtExceptionLogger.install();
     try {
       TrustedCode.install();
+      SecureProcess.Installed unused = SecureProcess.installFromProperty("phoenix");
       Phoenix phoenix = start(ConfigurationProvider.getInstance(args));
       Runtime.getRuntime().addShutdownHook(new Thread(phoenix::close, "phoenix-end"));
       phoenix.closed.await();
       Runtime.getRuntime().exit(0);
-    } catch (ConfigurationException | IOException | LoginException e) {
+    } catch (ConfigurationException | IOException | LoginException | IllegalStateException e) {
       LOG.error(CANNOT_START + "{}", e.getMessage());
       LOG.debug("Phoenix cannot start.", e);
       Runtime.getRuntime().exit(1);

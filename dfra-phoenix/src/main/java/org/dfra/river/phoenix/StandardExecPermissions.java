@@ -3,6 +3,7 @@ package org.dfra.river.phoenix;
 import java.util.ArrayList;
 import java.util.List;
 import org.dfra.river.access.AdministrationPolicy;
+import org.dfra.river.security.SecureProcess;
 
 /**
  * The options and properties that a group may be started with by default: options that limit and
@@ -58,6 +59,7 @@ final class StandardExecPermissions {
       List.of(
           Phoenix.GROUP_NAME + "=*",
           AdministrationPolicy.PROPERTY + "=*",
+          SecureProcess.PROPERTY + "=*",
           "dfra.class-server=*",
           "dfra.class-server.*=*",
           "dfra.classes=*", // the former names of these two, in recorded groups

@@ -21,9 +21,11 @@ import org.dfra.core.config.RobotDescription.AdministrationDescription;
 import org.dfra.core.config.RobotDescription.GroupDescription;
 import org.dfra.river.access.AddressRange;
 import org.dfra.river.access.AdministrationPolicy;
+import org.dfra.river.identity.IdentityFolder;
 import org.dfra.river.loading.RobotCodebase;
 import org.dfra.river.phoenix.Phoenix;
 import org.dfra.river.phoenix.PhoenixAdmin;
+import org.dfra.river.security.SecureProcess;
 import org.dfra.river.server.ModuleActivation;
 import org.jspecify.annotations.Nullable;
 
@@ -105,6 +107,10 @@ final class BootstrapLoader {
     properties.setProperty(Phoenix.GROUP_NAME, robot + "." + group.name());
     if (!administrators().isEmpty()) {
       properties.setProperty(AdministrationPolicy.PROPERTY, administrators());
+    }
+    Path security = SecureProcess.folder(state);
+    if (IdentityFolder.isJoined(security)) {
+      properties.setProperty(SecureProcess.PROPERTY, security.toAbsolutePath().toString());
     }
     List<String> options = launchOptions(group);
     options.addAll(group.jvmOptions());

@@ -20,12 +20,14 @@ import java.util.stream.Collectors;
 import org.dfra.core.host.PrivateFiles;
 import org.dfra.river.call.ConnectionRefusal;
 import org.dfra.river.call.DeadlineExceededException;
+import org.dfra.river.identity.IdentityFolder;
 import org.dfra.river.phoenix.GroupStatus;
 import org.dfra.river.phoenix.Phoenix;
 import org.dfra.river.phoenix.PhoenixAdmin;
 import org.dfra.river.phoenix.PhoenixIdentities;
 import org.dfra.river.phoenix.PhoenixLocator;
 import org.dfra.river.phoenix.ProcessIdentity;
+import org.dfra.river.security.SecureProcess;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -341,6 +343,10 @@ public record PhoenixProcess(String host, int port, int registryPort, Path state
     command.add(JvmCommand.java());
     command.addAll(JvmCommand.options());
     command.addAll(HeapOptions.of(List.of()));
+    Path security = SecureProcess.folder(state);
+    if (IdentityFolder.isJoined(security)) {
+      command.add("-D" + SecureProcess.PROPERTY + "=" + security.toAbsolutePath());
+    }
     command.add(MAIN);
     String resource = "phoenix.config";
     command.add(PhoenixProcess.class.getResource(resource).toString());

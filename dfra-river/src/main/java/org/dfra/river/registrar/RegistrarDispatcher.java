@@ -24,6 +24,7 @@ import org.dfra.river.access.ListeningHost;
 import org.dfra.river.access.OwnAddresses;
 import org.dfra.river.access.RemoteCaller;
 import org.dfra.river.registrar.RegistrationRules.RegistrationOrigin;
+import org.dfra.security.Caller;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -266,8 +267,16 @@ final class RegistrarDispatcher extends GuardedDispatcher {
     return !policy.robot().isEmpty() && claims.changeMayNameRobot(entries, policy.robot());
   }
 
+  /** The robot's own processes have its key; where nobody has keys, their address counts. */
   private RegistrationOrigin source(Collection<?> context) {
-    return source(RemoteCaller.fromContext(context));
+    RemoteCaller caller = RemoteCaller.fromContext(context);
+    for (Object each : context) {
+      if (each instanceof Caller authenticated) {
+        return new RegistrationOrigin(
+            caller.address(), authenticated.standing() == Caller.Standing.OWN);
+      }
+    }
+    return source(caller);
   }
 
   private RegistrationOrigin source(RemoteCaller caller) {

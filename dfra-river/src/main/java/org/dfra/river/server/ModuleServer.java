@@ -31,6 +31,7 @@ import org.dfra.module.LogLevel;
 import org.dfra.module.Module;
 import org.dfra.module.ModuleHistory;
 import org.dfra.module.Parameter;
+import org.dfra.river.access.GuardedObject;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.lease.ModuleLandlord;
 import org.dfra.river.lease.ProcessLandlord;
@@ -53,7 +54,12 @@ import org.jspecify.annotations.Nullable;
  * @param <M> the module's interface
  */
 public abstract class ModuleServer<M extends Module>
-    implements RemoteModule, ProxyAccessor, ReadinessSource, StartedObject, AutoCloseable {
+    implements RemoteModule,
+        ProxyAccessor,
+        ReadinessSource,
+        StartedObject,
+        GuardedObject,
+        AutoCloseable {
 
   /** Component of the entries that a module's Jini configuration may have. */
   static final String COMPONENT = "org.dfra.river.server";
@@ -282,6 +288,11 @@ public abstract class ModuleServer<M extends Module>
   @Override
   public final Object getAdmin() throws RemoteException {
     return Objects.requireNonNull(administration, "the module is being started").stub();
+  }
+
+  @Override
+  public final String guardedName() {
+    return activation.module().name();
   }
 
   @Override

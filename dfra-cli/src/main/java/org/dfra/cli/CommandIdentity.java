@@ -1,0 +1,58 @@
+package org.dfra.cli;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import org.dfra.cli.team.PhoenixOptions.StateOption;
+import org.dfra.river.security.SecureProcess;
+
+/** The identity with which a command calls robots: that of its state folder. */
+final class CommandIdentity {
+
+  /** These call nobody, or start robots of their own, which are in no team. */
+  private static final Set<String> WITHOUT =
+      Set.of(
+          "security",
+          "whoami",
+          "policy",
+          "audit",
+          "demo",
+          "sim",
+          "bench",
+          "fuzzy",
+          "completion",
+          "help");
+
+  /** Stopping is safe: it also goes to robots whose certificate has expired. */
+  private static final String STOP = "stop";
+
+  private static final String OPTION = "--state";
+
+  private CommandIdentity() {}
+
+  /**
+   * Installs it, before anything is called.
+   *
+   * @param args as they were typed
+   * @throws IllegalStateException if there is one that cannot be used
+   */
+  static void install(String[] args) {
+    if (args.length > 0 && !args[0].startsWith("-") && !WITHOUT.contains(args[0])) {
+      SecureProcess.Installed unused =
+          SecureProcess.installForCommand(
+              SecureProcess.folder(state(List.of(args))), args[0].equals(STOP));
+    }
+  }
+
+  private static Path state(List<String> args) {
+    for (int i = 0; i < args.size(); i++) {
+      String each = args.get(i);
+      if (each.startsWith(OPTION + "=")) {
+        return Path.of(each.substring(OPTION.length() + 1)).toAbsolutePath();
+      } else if (each.equals(OPTION) && i + 1 < args.size()) {
+        return Path.of(args.get(i + 1)).toAbsolutePath();
+      }
+    }
+    return StateOption.defaultFolder();
+  }
+}

@@ -1,0 +1,166 @@
+package org.dfra.river.security;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.security.GeneralSecurityException;
+import java.security.PublicKey;
+import java.security.cert.X509CRL;
+import java.security.cert.X509Certificate;
+import java.time.Clock;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.dfra.core.audit.AuditTrail;
+import org.dfra.core.audit.AuditedGuard;
+import org.dfra.core.policy.BuiltInPolicies;
+import org.dfra.core.policy.InterfaceCatalogue;
+import org.dfra.core.policy.MethodKind;
+import org.dfra.core.policy.MethodKinds;
+import org.dfra.core.policy.Policy;
+import org.dfra.core.policy.PolicyGuard;
+import org.dfra.core.policy.PolicySignatureException;
+import org.dfra.core.policy.PolicyStore;
+import org.dfra.river.identity.RevokedCertificates;
+import org.dfra.river.identity.RobotAlone;
+import org.dfra.river.identity.TeamCredentials;
+import org.dfra.river.identity.TeamCredentials.RobotKey;
+import org.dfra.river.identity.TeamIdentity;
+import org.dfra.security.AccessRequest;
+import org.dfra.security.Decision;
+import org.dfra.security.Guard;
+import org.dfra.security.Member;
+
+/** The parts of a process's identity that change while it runs: its policy, and who is revoked. */
+final class ProcessIdentity {
+
+  private final TeamIdentity identity;
+  private final RevokedCertificates revoked;
+  private final PolicyGuard policy;
+  private final ReplaceableGuard guard;
+  private final X509Certificate authority;
+
+  private ProcessIdentity(
+      TeamIdentity identity,
+      RevokedCertificates revoked,
+      PolicyGuard policy,
+      ReplaceableGuard guard,
+      X509Certificate authority) {
+    this.identity = identity;
+    this.revoked = revoked;
+    this.policy = policy;
+    this.guard = guard;
+    this.authority = authority;
+  }
+
+  /**
+   * The identity of a member.
+   *
+   * @param folder with its policy
+   * @param believesExpired whether servers with an expired certificate are called
+   * @throws IOException if the policy cannot be read, or the authority has not signed it
+   * @throws GeneralSecurityException if the list of revoked certificates or the key cannot be used
+   */
+  static ProcessIdentity of(
+      TeamCredentials credentials, Path folder, boolean believesExpired, Clock clock)
+      throws IOException, GeneralSecurityException {
+    Policy policy =
+        stored(folder, credentials.authority())
+            .orElseGet(() -> BuiltInPolicies.standard(credentials.member().team()));
+    RevokedCertificates revoked = new RevokedCertificates(credentials.authority());
+    Optional<X509CRL> list = credentials.revocations();
+    if (list.isPresent()) {
+      boolean unused = revoked.replace(list.get());
+    }
+    Set<PublicKey> otherOwn =
+        credentials.robotKey().map(it -> Set.of(it.certificate().getPublicKey())).orElse(Set.of());
+    PolicyGuard guard = new PolicyGuard(policy);
+    ReplaceableGuard asked = new ReplaceableGuard(guard);
+    TeamIdentity identity =
+        new TeamIdentity(
+            new TeamIdentity.Settings(
+                credentials.member(),
+                new TeamIdentity.Key(credentials.privateKey(), List.of(credentials.chain())),
+                otherOwn,
+                credentials.subject().getPrincipals(),
+                credentials.authority(),
+                revoked,
+                asked,
+                believesExpired),
+            clock);
+    return new ProcessIdentity(identity, revoked, guard, asked, credentials.authority());
+  }
+
+  /**
+   * The identity of a robot of which no more than its own key can be used.
+   *
+   * @throws GeneralSecurityException if the key cannot be used
+   */
+  static ProcessIdentity closed(RobotAlone robot, Clock clock) throws GeneralSecurityException {
+    RobotKey key = robot.key();
+    Member member = robot.member();
+    RevokedCertificates revoked = new RevokedCertificates(robot.authority());
+    PolicyGuard guard = new PolicyGuard(BuiltInPolicies.closed(member.team()));
+    ReplaceableGuard asked = new ReplaceableGuard(guard);
+    TeamIdentity identity =
+        new TeamIdentity(
+            new TeamIdentity.Settings(
+                member,
+                new TeamIdentity.Key(key.key(), List.of(key.certificate())),
+                Set.of(),
+                Set.of(),
+                robot.authority(),
+                revoked,
+                asked,
+                false),
+            clock);
+    return new ProcessIdentity(identity, revoked, guard, asked, robot.authority());
+  }
+
+  /** The transport has it before the audit trail is there. */
+  private static final class ReplaceableGuard implements Guard {
+
+    private volatile Guard guard;
+
+    ReplaceableGuard(Guard guard) {
+      this.guard = guard;
+    }
+
+    @Override
+    public Decision decide(AccessRequest request) {
+      return guard.decide(request);
+    }
+  }
+
+  static Optional<Policy> stored(Path folder, X509Certificate authority) throws IOException {
+    try {
+      return new PolicyStore(folder, authority, InterfaceCatalogue.builtIn()).load();
+    } catch (PolicySignatureException e) {
+      throw new IOException(e.getMessage(), e);
+    }
+  }
+
+  /** Records all further decisions. */
+  void audit(AuditTrail trail) {
+    guard.guard =
+        new AuditedGuard(
+            policy,
+            trail,
+            method -> MethodKinds.of(method.getDeclaringClass(), method).kind() == MethodKind.READ);
+  }
+
+  TeamIdentity identity() {
+    return identity;
+  }
+
+  RevokedCertificates revoked() {
+    return revoked;
+  }
+
+  PolicyGuard policy() {
+    return policy;
+  }
+
+  X509Certificate authority() {
+    return authority;
+  }
+}

@@ -1,0 +1,131 @@
+package org.dfra.river.security;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.security.GeneralSecurityException;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import org.dfra.core.audit.AuditEvent;
+import org.dfra.core.audit.AuditTrail;
+import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.policy.Policy;
+import org.dfra.core.policy.PolicyReplacementException;
+import org.dfra.river.identity.IdentityException;
+import org.dfra.river.identity.SecurityFiles;
+import org.dfra.river.identity.SignedFiles;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Reads the policy and the list of revoked certificates again when their files have changed. A file
+ * that cannot be used changes nothing: the last good one stays in force.
+ *
+ * <p>Thread: one daemon, {@code dfra-security}, for the life of the process. It looks at the times
+ * of two files twice a second, since a folder that is replaced as a whole cannot be watched.
+ */
+final class SecurityWatch implements Runnable {
+
+  private static final Logger LOG = LoggerFactory.getLogger(SecurityWatch.class);
+
+  private static final long PERIOD_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
+
+  private final Path policyFile;
+  private final Path revokedFile;
+  private final Path folder;
+  private final ProcessIdentity identity;
+  private final Optional<AuditTrail> trail;
+  private List<Object> policyState;
+  private List<Object> revokedState;
+
+  private SecurityWatch(Path folder, ProcessIdentity identity, Optional<AuditTrail> trail) {
+    this.folder = folder;
+    this.policyFile = folder.resolve(SecurityFiles.POLICY);
+    this.revokedFile = folder.resolve(SecurityFiles.REVOKED);
+    this.identity = identity;
+    this.trail = trail;
+    this.policyState = state(policyFile);
+    this.revokedState = state(revokedFile);
+  }
+
+  /** Starts to watch what has just been loaded. */
+  static void start(Path folder, ProcessIdentity identity, Optional<AuditTrail> trail) {
+    Thread thread = new Thread(new SecurityWatch(folder, identity, trail), "dfra-security");
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  /** What changes when a file does; empty if there is none. */
+  private static List<Object> state(Path file) {
+    try {
+      return List.of(Files.getLastModifiedTime(file), Files.size(file));
+    } catch (NoSuchFileException e) {
+      return List.of();
+    } catch (IOException e) {
+      LOG.debug("{} cannot be looked at.", file, e);
+      return List.of();
+    }
+  }
+
+  @Override
+  public void run() {
+    while (true) {
+      LockSupport.parkNanos(this, PERIOD_NANOS);
+      try {
+        lookAtRevoked();
+        lookAtPolicy();
+      } catch (RuntimeException e) { // the next change counts all the same
+        LOG.error("A change of {} was not noticed.", folder, e);
+      }
+    }
+  }
+
+  private void lookAtRevoked() {
+    List<Object> now = state(revokedFile);
+    if (now.isEmpty() || now.equals(revokedState)) {
+      return;
+    }
+    revokedState = now;
+    try {
+      boolean isNewer =
+          identity
+              .revoked()
+              .replace(
+                  SignedFiles.revocations(
+                      SecurityFiles.read(revokedFile),
+                      identity.authority(),
+                      revokedFile.toString()));
+      if (isNewer) {
+        long number = identity.revoked().number().longValue();
+        LOG.info("The list {} of revoked certificates is in force.", number);
+        trail.ifPresent(
+            it -> it.record(AuditEvent.revocationReceived(number, revokedFile.toString(), "")));
+      }
+    } catch (IdentityException | GeneralSecurityException e) {
+      LOG.error("The former list of revoked certificates stays in force: {}", e.getMessage());
+    }
+  }
+
+  private void lookAtPolicy() {
+    List<Object> now = state(policyFile);
+    if (now.isEmpty() || now.equals(policyState)) {
+      return;
+    }
+    policyState = now;
+    try {
+      Optional<Policy> next = ProcessIdentity.stored(folder, identity.authority());
+      if (next.isPresent() && identity.policy().replace(next.get())) {
+        LOG.info("{} is in force.", next.get());
+        trail.ifPresent(
+            it ->
+                it.record(AuditEvent.policyReplaced(next.get().version(), policyFile.toString())));
+      }
+    } catch (IOException | ConfigurationException | PolicyReplacementException e) {
+      LOG.error(
+          "{} stays in force: {}", identity.policy().policy(), String.valueOf(e.getMessage()));
+    }
+  }
+}
