@@ -1,6 +1,5 @@
 package org.dfra.core.audit;
 
-import java.io.BufferedInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.Closeable;
 import java.io.IOException;
@@ -30,6 +29,12 @@ final class LineReader implements Closeable {
   record RawLine(byte[] bytes, boolean isComplete, boolean isTooLong, long end) {}
 
   private final InputStream in;
+
+  /** Of our own: a buffered stream takes a lock for each byte. */
+  private final byte[] buffer = new byte[LONGEST_LINE];
+
+  private int at;
+  private int limit;
   private long offset;
 
   private LineReader(InputStream in, long offset) {
@@ -46,7 +51,7 @@ final class LineReader implements Closeable {
       throw notReadable(path, e);
     }
     InputStream in = Channels.newInputStream(channel.position(offset)); // may be after the end
-    return new LineReader(new BufferedInputStream(in, LONGEST_LINE), offset);
+    return new LineReader(in, offset);
   }
 
   /** What to do if a user may not read a file or a folder. */
@@ -59,7 +64,7 @@ final class LineReader implements Closeable {
   @Nullable RawLine next() throws IOException {
     ByteArrayOutputStream line = new ByteArrayOutputStream(512);
     boolean isTooLong = false;
-    int read = in.read();
+    int read = read();
     if (read < 0) {
       return null;
     }
@@ -73,9 +78,20 @@ final class LineReader implements Closeable {
       } else {
         isTooLong = true;
       }
-      read = in.read();
+      read = read();
     }
     return new RawLine(line.toByteArray(), false, isTooLong, offset);
+  }
+
+  private int read() throws IOException {
+    if (at == limit) {
+      at = 0;
+      limit = Math.max(0, in.read(buffer));
+      if (limit == 0) {
+        return -1;
+      }
+    }
+    return buffer[at++] & 0xff;
   }
 
   @Override

@@ -24,7 +24,7 @@ import org.junit.jupiter.api.io.TempDir;
 class BrokenTrailTest {
 
   private static final long SEED = 2004;
-  private static final int BITS = 250;
+  private static final int BITS = 150;
 
   @TempDir static Path temp;
 

@@ -72,8 +72,8 @@ class HeadStoreTest {
       AuditHead head = trail.head(robot.key(), PATIENCE);
       assertThat(head.verify(robot.certificate())).isTrue();
       assertThat(head.number()).isEqualTo(2);
-      KeyPairGenerator rsa = KeyPairGenerator.getInstance("RSA");
-      assertThatThrownBy(() -> trail.head(rsa.generateKeyPair().getPrivate(), PATIENCE))
+      KeyPairGenerator edwards = KeyPairGenerator.getInstance("Ed25519");
+      assertThatThrownBy(() -> trail.head(edwards.generateKeyPair().getPrivate(), PATIENCE))
           .isInstanceOf(IllegalArgumentException.class)
           .hasMessageContaining("needs a private key for ECDSA");
     }
