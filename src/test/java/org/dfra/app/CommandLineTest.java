@@ -35,9 +35,9 @@ class CommandLineTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "frobnicate | there is no verb \"frobnicate\"; there is bench, build, completion, demo,"
-            + " dist, doctor, down, event, fuzzy, help, javadoc, lease, log, module, persona,"
-            + " recruit, security, sim, status, stop, task, test, up, whoami",
+        "frobnicate | there is no verb \"frobnicate\"; there is audit, bench, build, completion,"
+            + " demo, dist, doctor, down, event, fuzzy, help, javadoc, lease, log, module, persona,"
+            + " policy, recruit, security, sim, status, stop, task, test, up, whoami",
         "--frobnicate | unknown option: '--frobnicate'; see: ./dfra --help",
         "demo nonesuch"
             + " | there is no demonstration \"nonesuch\"; there is raster, recruit, devices,"

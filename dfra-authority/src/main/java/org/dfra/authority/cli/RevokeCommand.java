@@ -18,7 +18,10 @@ import org.dfra.river.identity.SecurityFiles;
 import org.dfra.river.identity.TeamCertificates;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
 
 /** {@code ./dfra security revoke}. */
 @Command(
@@ -31,6 +34,8 @@ import picocli.CommandLine.Option;
       "A revoked member can be admitted again by a new certificate."
     })
 final class RevokeCommand implements Callable<Integer> {
+
+  private static final int MAX_REASON = 200;
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // set by picocli before the call
@@ -50,11 +55,20 @@ final class RevokeCommand implements Callable<Integer> {
   @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandOutput answer;
 
+  @Spec
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
+  private CommandSpec spec;
+
   /** What is printed. */
   private record RevokeView(List<IssuedCertificate> revoked, BigInteger list, String file) {}
 
   @Override
   public Integer call() throws Exception {
+    if (reason.length() > MAX_REASON) {
+      throw new ParameterException(
+          spec.commandLine(),
+          "--reason has " + reason.length() + " characters, at most " + MAX_REASON + " are kept");
+    }
     try (Authority authority = authorities.open()) {
       String role = member.role(authority.issued());
       List<IssuedCertificate> revoked =

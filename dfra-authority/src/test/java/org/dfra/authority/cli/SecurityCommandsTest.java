@@ -365,6 +365,17 @@ class SecurityCommandsTest {
   }
 
   @Test
+  void aReasonIsShort() {
+    init();
+    issue("robot", "atrv1");
+    assertThat(operator("security", "revoke", "atrv1", "--reason=" + "x".repeat(201)))
+        .isEqualTo(ExitCode.USAGE_ERROR);
+    assertThat(err).contains("--reason has 201 characters, at most 200 are kept");
+    succeeds(operator("security", "list"));
+    assertThat(out).doesNotContain("revoked");
+  }
+
+  @Test
   void namesAreCheckedBeforeAnythingIsMade() {
     assertThat(operator("security", "init", "no team", "--no-passphrase"))
         .isEqualTo(ExitCode.USAGE_ERROR);

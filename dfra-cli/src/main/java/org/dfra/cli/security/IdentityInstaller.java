@@ -5,13 +5,11 @@ import java.math.BigInteger;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.security.SecureRandom;
 import java.security.cert.CRLException;
 import java.security.cert.X509CRL;
 import java.time.Instant;
 import java.util.Optional;
-import java.util.stream.Stream;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.host.PrivateFiles;
 import org.dfra.core.policy.Policy;
@@ -65,15 +63,16 @@ public final class IdentityInstaller {
       throws IdentityException, IOException {
     bundle.requireUsable(file, now);
     PrivateFiles.requireFolder(state);
-    restoreInterrupted();
+    FolderReplacement replacement = new FolderReplacement(folder());
+    replacement.undoInterrupted();
     Optional<TeamCredentials> former = former(bundle, isForced);
     Path draft = Files.createTempDirectory(state, "." + SecurityFiles.FOLDER); // mode 0700
     try {
       write(draft, bundle, former);
       PrivateFiles.sync(draft);
-      replaceWith(draft);
+      replacement.replaceWith(draft);
     } finally {
-      delete(draft);
+      FolderReplacement.delete(draft);
     }
   }
 
@@ -193,41 +192,5 @@ public final class IdentityInstaller {
 
   private static BigInteger number(X509CRL list) {
     return SignedFiles.number(list).orElse(BigInteger.ZERO);
-  }
-
-  /** A folder cannot replace another that is not empty in one step: the former one steps aside. */
-  private void replaceWith(Path draft) throws IOException {
-    Path replaced = IdentityFolder.replaced(folder());
-    if (Files.exists(folder())) {
-      Path unused = Files.move(folder(), replaced, StandardCopyOption.ATOMIC_MOVE);
-    }
-    Path unused = Files.move(draft, folder(), StandardCopyOption.ATOMIC_MOVE);
-    PrivateFiles.sync(state);
-    delete(replaced);
-  }
-
-  /** Undoes what a join that was interrupted has left. */
-  private void restoreInterrupted() throws IOException {
-    Path replaced = IdentityFolder.replaced(folder());
-    if (!Files.exists(replaced)) {
-      return;
-    }
-    if (Files.exists(folder())) {
-      delete(replaced);
-    } else {
-      Path unused = Files.move(replaced, folder(), StandardCopyOption.ATOMIC_MOVE);
-    }
-  }
-
-  private static void delete(Path folder) throws IOException {
-    if (!Files.exists(folder)) {
-      return;
-    }
-    try (Stream<Path> files = Files.list(folder)) {
-      for (Path each : files.toList()) {
-        Files.delete(each);
-      }
-    }
-    Files.delete(folder);
   }
 }

@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.dfra.core.policy.Policy;
 import org.dfra.river.identity.CertificateValidity;
 import org.dfra.river.identity.IdentityException;
+import org.dfra.river.identity.KeyChecks;
 import org.dfra.river.identity.KeyEntry;
 import org.dfra.river.identity.SecurityFiles;
 import org.dfra.river.identity.SignedFiles;
@@ -66,7 +67,7 @@ public record VerifiedBundle(
             SecurityFiles.IDENTITY_ALIAS,
             identityFile);
     Member member = TeamCertificates.member(identity.chain(), authority, identityFile);
-    TeamCertificates.requireMatch(identity.key(), identity.chain().get(0), identityFile);
+    KeyChecks.requireMatch(identity.key(), identity.chain().get(0), identityFile);
     X509CRL revocations =
         SignedFiles.revocations(
             bundle.required(SecurityFiles.REVOKED), authority, in(file, SecurityFiles.REVOKED));
@@ -109,7 +110,7 @@ public record VerifiedBundle(
     }
     String robotFile = in(file, SecurityFiles.ROBOT);
     KeyEntry entry = KeyEntry.read(bytes.get(), passphrase, SecurityFiles.ROBOT_ALIAS, robotFile);
-    TeamCertificates.requireRobotKey(entry.asRobotKey(), member, robotFile);
+    KeyChecks.requireRobotKey(entry.asRobotKey(), member, robotFile);
     return Optional.of(entry);
   }
 

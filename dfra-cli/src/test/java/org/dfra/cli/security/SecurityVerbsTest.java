@@ -62,7 +62,8 @@ class SecurityVerbsTest {
   @Test
   void thereIsNothingToShow() {
     assertThat(run("security", "show")).isEqualTo(ExitCode.FAILED);
-    assertThat(err.toString()).contains("security does not exist, so this computer has joined no");
+    assertThat(err.toString())
+        .contains("security does not exist, so this computer has no identity");
   }
 
   @Test

@@ -38,7 +38,7 @@ public final class IdentityFolder {
 
   /**
    * Where the former folder lies while a new one takes its place. If the computer fails meanwhile,
-   * this is all that is left.
+   * this is all that is left, and it is loaded.
    */
   public static Path replaced(Path securityFolder) {
     return securityFolder.resolveSibling(securityFolder.getFileName() + ".old");
@@ -54,27 +54,27 @@ public final class IdentityFolder {
    *     should be, or the login fails
    */
   public static TeamCredentials load(Path securityFolder) throws IdentityException {
-    requireFolder(securityFolder);
-    Path authorityFile = securityFolder.resolve(SecurityFiles.AUTHORITY);
+    Path folder = present(securityFolder);
+    Path authorityFile = folder.resolve(SecurityFiles.AUTHORITY);
     X509Certificate authority =
         TeamCertificates.authority(SecurityFiles.read(authorityFile), authorityFile.toString());
-    IdentityLogin login = new IdentityLogin(securityFolder);
+    IdentityLogin login = new IdentityLogin(folder);
     Subject subject = login.login();
-    String identity = securityFolder.resolve(SecurityFiles.IDENTITY).toString();
-    X500PrivateCredential credential = credential(subject, securityFolder);
+    String identity = folder.resolve(SecurityFiles.IDENTITY).toString();
+    X500PrivateCredential credential = credential(subject, folder);
     X509Certificate certificate = credential.getCertificate();
     Member member = TeamCertificates.member(chain(subject, certificate), authority, identity);
-    TeamCertificates.requireMatch(credential.getPrivateKey(), certificate, identity);
-    Optional<X509CRL> revocations = revocations(securityFolder, authority);
-    Optional<RobotKey> robotKey = robotKey(securityFolder, login);
+    KeyChecks.requireMatch(credential.getPrivateKey(), certificate, identity);
+    Optional<X509CRL> revocations = revocations(folder, authority);
+    Optional<RobotKey> robotKey = robotKey(folder, login);
     if (robotKey.isPresent()) {
-      TeamCertificates.requireRobotKey(
-          robotKey.get(), member, securityFolder.resolve(SecurityFiles.ROBOT).toString());
+      KeyChecks.requireRobotKey(
+          robotKey.get(), member, folder.resolve(SecurityFiles.ROBOT).toString());
     }
     subject.getPrincipals().add(member);
     subject.setReadOnly();
     return new TeamCredentials(
-        securityFolder,
+        folder,
         subject,
         member,
         credential.getPrivateKey(),
@@ -90,37 +90,37 @@ public final class IdentityFolder {
    * @throws IdentityException if the robot's own key cannot be used either, or this is no robot
    */
   public static RobotAlone loadAlone(Path securityFolder) throws IdentityException {
-    requireFolder(securityFolder);
-    Path file = securityFolder.resolve(SecurityFiles.ROBOT);
+    Path folder = present(securityFolder);
+    Path file = folder.resolve(SecurityFiles.ROBOT);
     RobotKey key =
-        robotKey(securityFolder, new IdentityLogin(securityFolder))
+        robotKey(folder, new IdentityLogin(folder))
             .orElseThrow(
                 () ->
                     new IdentityException(
                         file + " is missing: only robots have a key of their own"));
     X509Certificate authority = key.certificate();
-    Path authorityFile = securityFolder.resolve(SecurityFiles.AUTHORITY);
+    Path authorityFile = folder.resolve(SecurityFiles.AUTHORITY);
     try {
       authority =
           TeamCertificates.authority(SecurityFiles.read(authorityFile), authorityFile.toString());
     } catch (IdentityException e) {
       LOG.log(Level.WARNING, "Only the robot's own key is known: " + e.getMessage());
     }
-    return new RobotAlone(TeamCertificates.robot(key, authority, file.toString()), key, authority);
+    return new RobotAlone(KeyChecks.robot(key, authority, file.toString()), key, authority);
   }
 
-  private static void requireFolder(Path folder) throws IdentityException {
-    if (!Files.isDirectory(folder)) {
+  /** The folder, or the former one while another takes its place. */
+  private static Path present(Path folder) throws IdentityException {
+    Path former = replaced(folder);
+    Path present = Files.isDirectory(folder) || !Files.isDirectory(former) ? folder : former;
+    if (!Files.isDirectory(present)) {
       throw new IdentityException(
-          isJoined(folder)
-              ? folder
-                  + " is no folder with an identity, since a join was interrupted; join the team"
-                  + " again: security join NAME.bundle"
-              : folder
-                  + " does not exist, so this computer has joined no team; type: security join"
-                  + " NAME.bundle");
+          present
+              + (isJoined(folder) ? " is no folder" : " does not exist")
+              + ", so this computer has no identity of a team; type: security join NAME.bundle");
     }
-    SecurityFiles.requirePrivate(folder);
+    SecurityFiles.requirePrivate(present);
+    return present;
   }
 
   /** The one key with a certificate that the login modules have found. */

@@ -158,7 +158,7 @@ class IdentityFolderTest {
   void aFolderThatIsMissingIsNotJoined() {
     folder = temp.resolve("elsewhere");
     assertThat(IdentityFolder.isJoined(folder)).isFalse();
-    assertRefused(folder + " does not exist", "security join NAME.bundle");
+    assertRefused(folder + " does not exist, so this computer has no identity of a team");
   }
 
   /** Else a robot would start open after a crash in a join. */
@@ -166,7 +166,11 @@ class IdentityFolderTest {
   void anInterruptedJoinIsAJoin() throws Exception {
     Files.move(folder, IdentityFolder.replaced(folder));
     assertThat(IdentityFolder.isJoined(folder)).isTrue();
-    assertRefused(folder + " is no folder with an identity, since a join was interrupted");
+    assertThat(IdentityFolder.load(folder).member()).isEqualTo(ROBOT);
+    TestTeam.writeRobotKey(IdentityFolder.replaced(folder), TestTeam.robotKey("atrv1"));
+    assertThat(IdentityFolder.loadAlone(folder).key()).isNotNull();
+    Files.writeString(folder, "a file");
+    assertThat(IdentityFolder.load(folder).member()).isEqualTo(ROBOT);
   }
 
   @ParameterizedTest
