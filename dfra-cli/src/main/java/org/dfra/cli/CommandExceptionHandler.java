@@ -14,6 +14,7 @@ import org.dfra.report.terminal.CommandFailure;
 import org.dfra.report.terminal.ConsoleMessages;
 import org.dfra.report.terminal.ExitCode;
 import org.dfra.river.identity.IdentityException;
+import org.dfra.security.AccessRefusedException;
 import picocli.CommandLine;
 import picocli.CommandLine.IExecutionExceptionHandler;
 import picocli.CommandLine.ParseResult;
@@ -55,6 +56,7 @@ final class CommandExceptionHandler implements IExecutionExceptionHandler {
         || e instanceof ActivationException
         || e instanceof NotReadyException
         || e instanceof AdministrationRefusedException
+        || e instanceof AccessRefusedException
         || e instanceof LeaseRefusedException
         || e instanceof NoFontException
         || e instanceof IdentityException

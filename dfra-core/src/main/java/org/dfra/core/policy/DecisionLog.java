@@ -45,7 +45,7 @@ public final class DecisionLog implements DecisionListener {
     if (!obligations.isLogged() && !obligations.isNotified()) {
       return;
     }
-    long before = countedOmitted();
+    long before = countLine();
     if (before < 0) {
       return;
     }
@@ -61,7 +61,7 @@ public final class DecisionLog implements DecisionListener {
   }
 
   /** Counts a line: the number of lines that were omitted before it, or -1 if it is omitted. */
-  private synchronized long countedOmitted() {
+  synchronized long countLine() {
     long now = nanos.getAsLong();
     if (now - begin >= SECOND) {
       begin = now;

@@ -156,4 +156,17 @@ class ObligationsTest {
     assertThat(observed.get(2).decision().rule()).isEqualTo(Policy.DEFAULT_RULE);
     assertThat(observed.get(2).request().caller()).isEqualTo(STRANGER);
   }
+
+  @Test
+  void theLogHasABoundedNumberOfLinesAndSaysHowManyItOmits() {
+    DecisionLog log = new DecisionLog(nanos::get);
+    for (int i = 0; i < DecisionLog.MAX_LINES; i++) {
+      assertThat(log.countLine()).as("line %d", i).isZero();
+    }
+    assertThat(log.countLine()).isEqualTo(-1);
+    assertThat(log.countLine()).isEqualTo(-1);
+    pass(1000);
+    assertThat(log.countLine()).as("omitted before it").isEqualTo(2);
+    assertThat(log.countLine()).isZero();
+  }
 }

@@ -34,6 +34,7 @@ import org.dfra.river.call.CallThreads;
 import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.entry.ModuleEntry;
 import org.dfra.river.loading.LoadingFaults;
+import org.dfra.security.AccessRefusedException;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -92,12 +93,17 @@ final class RegistrarMonitor implements AutoCloseable {
   private volatile boolean incomplete = true; // an event or item was missed
   private volatile Instant vouched;
   private volatile long busySince; // System.nanoTime of the running call; 0 for none
+
+  /** How many heartbeats lie between two readings of a lookup service that sends no events. */
+  private static final int BEATS_WITHOUT_EVENTS = 5;
+
   private volatile boolean silent;
   private final Map<ServiceID, String> faults = new HashMap<>(); // of proxies; by the worker
   private @Nullable RemoteEventListener stub; // by the worker
   private @Nullable EventRegistration registration; // by the worker
   private long sequence; // by the worker
   private int services = UNKNOWN; // how many it holds by its events; by the worker
+  private boolean isRefused; // whether it sends this program no events; by the worker
   private boolean isOtherCount; // at the last comparison; by the worker
   private int comparisons; // since the last complete query; by the worker
   private long compareAt; // System.nanoTime; by the worker
@@ -183,7 +189,7 @@ final class RegistrarMonitor implements AutoCloseable {
     if (stub == null) {
       stub = (RemoteEventListener) exporter.export(listener);
     }
-    if (registration == null) {
+    if (registration == null && !isRefused) {
       register(stub);
     }
     if (incomplete) {
@@ -202,8 +208,13 @@ final class RegistrarMonitor implements AutoCloseable {
       beatIfDue();
     }
     beatIfDue();
-    if (incomplete || registration == null) {
+    if (isRefused && System.nanoTime() - compareAt > 0) {
+      incomplete = true;
+    }
+    if (incomplete || (registration == null && !isRefused)) {
       worker.wake();
+    } else if (isRefused) {
+      return; // it is read again later
     } else if (services == UNKNOWN) {
       services = count(); // with no event waiting that would be counted once more
     } else if (System.nanoTime() - compareAt > 0) {
@@ -225,6 +236,16 @@ final class RegistrarMonitor implements AutoCloseable {
 
   private void register(RemoteEventListener stub) throws RemoteException {
     events.clear();
+    try {
+      registerFor(stub);
+    } catch (AccessRefusedException e) { // a stranger may read, and gets no events
+      isRefused = true;
+      LOG.info("{} sends no events: {}", identity, e.getMessage());
+    }
+    incomplete = true;
+  }
+
+  private void registerFor(RemoteEventListener stub) throws RemoteException {
     EventRegistration begun =
         call(
             () ->
@@ -236,7 +257,6 @@ final class RegistrarMonitor implements AutoCloseable {
                     settings.eventLease().toMillis()));
     registration = begun;
     sequence = begun.getSequenceNumber();
-    incomplete = true;
   }
 
   /**
@@ -271,7 +291,10 @@ final class RegistrarMonitor implements AutoCloseable {
     // Publish usable services before the search for faults of the others.
     serviceTable.replaceAll(identity, items.values(), faults);
     findFaults(items.values());
-    compareAfter(settings.reconcileInterval());
+    compareAfter(
+        isRefused
+            ? settings.heartbeatInterval().multipliedBy(BEATS_WITHOUT_EVENTS)
+            : settings.reconcileInterval());
     comparisons = 0;
     isOtherCount = false;
     read = true;
