@@ -53,6 +53,7 @@ public final class TeamIdentity implements ChannelIdentity {
   private final Subject subject;
   private final MemberTrust trust;
   private final Guard guard;
+  private final RevokedCertificates revoked;
   private final SSLContext context;
   private final boolean believesExpired;
 
@@ -106,6 +107,7 @@ public final class TeamIdentity implements ChannelIdentity {
   public TeamIdentity(Settings settings, Clock clock) throws GeneralSecurityException {
     this.member = settings.member();
     this.guard = settings.guard();
+    this.revoked = settings.revoked();
     this.believesExpired = settings.believesExpired();
     X509Certificate certificate = settings.key().chain().get(0);
     Set<Principal> principals = new LinkedHashSet<>(settings.principals());
@@ -211,6 +213,16 @@ public final class TeamIdentity implements ChannelIdentity {
     return new InvocationConstraints(
         new InvocationConstraint[] {ServerAuthentication.YES, new ServerMinPrincipal(robot)},
         new InvocationConstraint[0]);
+  }
+
+  @Override
+  public void addRevocationListener(Runnable listener) {
+    revoked.addListener(listener);
+  }
+
+  @Override
+  public void removeRevocationListener(Runnable listener) {
+    revoked.removeListener(listener);
   }
 
   @Override

@@ -79,6 +79,13 @@ final class AnonymousIdentity implements ChannelIdentity {
     return InvocationConstraints.EMPTY;
   }
 
+  /** Without an authority there is no such list. */
+  @Override
+  public void addRevocationListener(Runnable listener) {}
+
+  @Override
+  public void removeRevocationListener(Runnable listener) {}
+
   @Override
   public Guard guard() {
     return request -> Decision.deny("anonymous", "nothing is exported without a certificate");

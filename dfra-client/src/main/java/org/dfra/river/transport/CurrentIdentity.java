@@ -39,6 +39,22 @@ public final class CurrentIdentity {
   }
 
   /**
+   * Calls back after each new list of revoked certificates of the current identity. Without an
+   * identity there is none.
+   *
+   * @param listener must not wait
+   * @return ends it
+   */
+  public static Runnable onRevocation(Runnable listener) {
+    @Nullable ChannelIdentity identity = get();
+    if (identity == null) {
+      return () -> {};
+    }
+    identity.addRevocationListener(listener);
+    return () -> identity.removeRevocationListener(listener);
+  }
+
+  /**
    * Sets the identity of the process, before it makes or receives an endpoint. It cannot be taken
    * away again: nothing falls back to calls without encryption.
    *
