@@ -17,6 +17,7 @@ import java.util.stream.Stream;
 import org.dfra.app.MarkedProcesses;
 import org.dfra.app.MarkedProcesses.Outcome;
 import org.dfra.core.host.FreePorts;
+import org.dfra.river.bootstrap.PhoenixProcess;
 
 /**
  * The team {@code field} with its authority, whose members have a state folder each, as if they had
@@ -75,8 +76,9 @@ final class SecureTeam implements AutoCloseable {
 
   /** The same, of a command that looks for the team's robots. */
   Outcome ask(String who, String... words) throws Exception {
-    return dfra(
-        who, with(words, "--team=", "--host=" + HOST, "--wait=20", "--locator=" + locators()));
+    boolean isPatient = Stream.of(words).noneMatch(word -> word.startsWith("--wait="));
+    String[] all = with(words, "--team=", "--host=" + HOST, "--locator=" + locators());
+    return dfra(who, isPatient ? with(all, "--wait=20") : all);
   }
 
   /** {@link #dfra} in the test's own process, for what calls nobody. */
@@ -161,6 +163,23 @@ final class SecureTeam implements AutoCloseable {
             throw new IllegalStateException(e);
           }
         });
+  }
+
+  /** Another registrar that commands ask from now on. */
+  void alsoAsk(int registrar) {
+    registrars.put("registrar of others", registrar);
+  }
+
+  /** Ends {@link #alsoAsk}. */
+  void askNoMore() {
+    registrars.remove("registrar of others");
+  }
+
+  /** The phoenix of a robot that is up. */
+  PhoenixProcess phoenix(String robot) throws IOException {
+    String address = Files.readString(state(robot).resolve("phoenix.address")).strip();
+    int port = Integer.parseInt(address.substring(address.lastIndexOf(':') + 1));
+    return new PhoenixProcess(HOST, port, -1, state(robot));
   }
 
   /** Writes a robot's description with these groups, in which %d is its registrar's port. */

@@ -1,5 +1,6 @@
 package org.dfra.secure;
 
+import java.nio.file.Path;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
@@ -30,6 +31,20 @@ final class TeamRobots {
             ThermometerProxy.class.getName(),
             SteadyThermometerImpl.class.getName(),
             celsius);
+  }
+
+  /** The thermometer {@code warmth} of somebody who counts its calls in a file. */
+  static String counted(Path calls) {
+    return """
+    <module name="warmth" server="%s" proxy="%s" implementation="%s">
+      <parameter name="calls" value="%s"/>
+    </module>
+    """
+        .formatted(
+            ThermometerServer.class.getName(),
+            ThermometerProxy.class.getName(),
+            CountedThermometerImpl.class.getName(),
+            calls);
   }
 
   /** The drive {@code drive}, of emulated wheels. */

@@ -86,4 +86,24 @@ public final class CurrentIdentity {
       }
     }
   }
+
+  /** The identity that is current now, for work that other threads do later. */
+  public static Kept keep() {
+    return new Kept(OF_THREAD.get());
+  }
+
+  /** An identity of a thread; none if it had only that of the process. */
+  public static final class Kept {
+
+    private final @Nullable ChannelIdentity identity;
+
+    private Kept(@Nullable ChannelIdentity identity) {
+      this.identity = identity;
+    }
+
+    /** Runs with it. */
+    public <T extends @Nullable Object> T call(Callable<T> body) throws Exception {
+      return identity == null ? body.call() : callAs(identity, body);
+    }
+  }
 }
