@@ -57,27 +57,27 @@ final class MemberCalls {
     return CurrentIdentity.callAs(identity, body);
   }
 
-  /** A module that a robot's registrar lists, as this member receives it. */
-  <M extends Module> M find(int registrar, Class<M> kind, String name) throws Exception {
-    return call(() -> listed(registrar, kind, name));
+  /** A module, {@code robot/name}, that a robot's registrar lists, as this member receives it. */
+  <M extends Module> M find(int registrar, Class<M> kind, String path) throws Exception {
+    return call(() -> listed(registrar, kind, path));
   }
 
   /** The same as the caller of this thread receives it: a stranger, if it is nobody. */
-  static <M extends Module> M listed(int registrar, Class<M> kind, String name) {
+  static <M extends Module> M listed(int registrar, Class<M> kind, String path) {
     return Awaitility.await()
         .pollInSameThread()
         .atMost(PATIENCE)
         .ignoreExceptionsMatching(java.rmi.RemoteException.class::isInstance)
-        .until(() -> look(registrar, kind, name), each -> each.isPresent())
+        .until(() -> look(registrar, kind, path), each -> each.isPresent())
         .orElseThrow();
   }
 
-  private static <M extends Module> Optional<M> look(int registrar, Class<M> kind, String name)
+  private static <M extends Module> Optional<M> look(int registrar, Class<M> kind, String path)
       throws Exception {
     ServiceTemplate template = new ServiceTemplate(null, new Class<?>[] {kind}, null);
     for (ServiceItem item : registrar(registrar).lookup(template, 64).items) {
       if (kind.isInstance(item.service)
-          && kind.cast(item.service).identification().name().equals(name)) {
+          && kind.cast(item.service).identification().path().equals(path)) {
         return Optional.of(kind.cast(item.service));
       }
     }

@@ -75,7 +75,7 @@ final class PlainCalls {
       socket.getOutputStream().flush();
       byte[] answer = socket.getInputStream().readNBytes(ANSWER);
       if (answer.length < ANSWER || !new String(answer, 0, 4, US_ASCII).equals("DFRA")) {
-          return closest(port);
+        return closest(port);
       }
       return answer[CODE] == 4 ? Greeted.ENCRYPTED_ONLY : Greeted.WELCOME;
     } catch (SocketException | SocketTimeoutException e) {

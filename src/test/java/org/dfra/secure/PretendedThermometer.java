@@ -25,7 +25,8 @@ final class PretendedThermometer implements AutoCloseable {
   private final AtomicInteger calls = new AtomicInteger();
   private final UUID id = UUID.randomUUID();
   private final BasicJeriExporter exporter =
-      new BasicJeriExporter(Endpoints.tcp(SecureTeam.HOST, 0), new DeadlineILFactory(), false, true);
+      new BasicJeriExporter(
+          Endpoints.tcp(SecureTeam.HOST, 0), new DeadlineILFactory(), false, true);
 
   /** JERI holds it weakly. */
   private final RemoteThermometer impl =

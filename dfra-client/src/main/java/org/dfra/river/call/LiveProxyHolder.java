@@ -99,7 +99,8 @@ final class LiveProxyHolder {
 
   private Activation begin(boolean force) {
     AtomicReference<@Nullable Activation> self = new AtomicReference<>();
-    Activation begun = new Activation(new FutureTask<>(() -> identity.call(() -> bringBack(force, self))), force);
+    Activation begun =
+        new Activation(new FutureTask<>(() -> identity.call(() -> bringBack(force, self))), force);
     self.set(begun);
     CallThreads.run(begun.task());
     return begun;
