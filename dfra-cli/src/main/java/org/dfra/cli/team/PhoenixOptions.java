@@ -108,7 +108,8 @@ public final class PhoenixOptions {
    * @return it, and its process
    */
   public Map.Entry<PhoenixProcess, Process> start(String host) throws IOException {
-    PhoenixProcess phoenix = at(host, DEFAULT_PORT);
+    // Groups that run already know phoenix by its former port.
+    PhoenixProcess phoenix = at(host, lastStarted(state(), registryPort).port());
     Process process = phoenix.start(TIMEOUT);
     Files.writeString(addressFile(), phoenix.host() + ":" + phoenix.port());
     return Map.entry(phoenix, process);
