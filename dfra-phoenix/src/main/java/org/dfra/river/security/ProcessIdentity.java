@@ -27,6 +27,7 @@ import org.dfra.river.identity.RobotAlone;
 import org.dfra.river.identity.TeamCredentials;
 import org.dfra.river.identity.TeamCredentials.RobotKey;
 import org.dfra.river.identity.TeamIdentity;
+import org.dfra.river.security.news.TeamNews;
 import org.dfra.security.AccessRequest;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
@@ -167,6 +168,11 @@ final class ProcessIdentity {
     if (trail != null) {
       trail.record(event);
     }
+  }
+
+  /** What is in force. */
+  TeamNews.Numbers numbers() {
+    return new TeamNews.Numbers(revoked.number().longValue(), policy.policy().version());
   }
 
   TeamIdentity identity() {
