@@ -69,7 +69,8 @@ class BuiltInPoliciesTest {
     } else if (ACTIVATION_SYSTEM.contains(owner)) {
       return false;
     } else if (kind == MethodKind.REGISTER && !robot.isEmpty()) {
-      return false;
+      return caller.standing() == Standing.MEMBER
+          && caller.member().orElseThrow().role() == MemberRole.ROBOT;
     } else if (caller.standing() != Standing.MEMBER) {
       return isPublic(type, method);
     }

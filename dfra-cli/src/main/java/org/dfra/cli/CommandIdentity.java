@@ -4,6 +4,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import org.dfra.cli.team.PhoenixOptions.StateOption;
+import org.dfra.core.audit.AuditKind.SecurityMode;
+import org.dfra.report.terminal.ConsoleMessages;
 import org.dfra.river.security.SecureProcess;
 
 /** The identity with which a command calls robots: that of its state folder. */
@@ -38,8 +40,11 @@ final class CommandIdentity {
    */
   static void install(String[] args) {
     if (args.length > 0 && !args[0].startsWith("-") && !WITHOUT.contains(args[0])) {
-      SecureProcess.Installed unused =
+      SecureProcess.Installed own =
           SecureProcess.install(SecureProcess.folder(state(List.of(args))), args[0].equals(STOP));
+      if (own.mode() == SecurityMode.CLOSED) {
+        System.err.println(ConsoleMessages.prefixed(own.fault()));
+      }
     }
   }
 

@@ -81,6 +81,7 @@ public final class DoctorCommand implements Callable<Integer> {
     checks.add(JavaCheck.ofThisProcess());
     checks.add(BootJarCheck.ofThisProcess());
     checks.add(ArchiveCheck.ofThisProcess());
+    checks.add(IdentityCheck.ofThisProcess());
     checks.add(FileDescriptorCheck.ofThisProcess());
     checks.add(HostCheck.ofThisComputer(team.hostSetting()));
     checks.add(new MulticastCheck(new JiniMulticast(), team.groups()));

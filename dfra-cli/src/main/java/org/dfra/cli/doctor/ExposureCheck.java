@@ -5,15 +5,17 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.UnaryOperator;
 import org.dfra.cli.doctor.CheckRunner.Check;
+import org.dfra.core.audit.AuditKind.SecurityMode;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.river.access.AddressRange;
 import org.dfra.river.bootstrap.HostAddress;
+import org.dfra.river.security.SecureProcess;
 
 /**
  * Checks which robots of this computer can be reached from the network, and which hosts may
- * administer them: calls are not authenticated yet, so every program on such a robot's network can
- * read it, command it and stop it.
+ * administer them: where this computer has joined no team, every program on such a robot's network
+ * can read it, command it and stop it.
  */
 final class ExposureCheck implements Check {
 
@@ -27,6 +29,7 @@ final class ExposureCheck implements Check {
 
   private final List<RobotDescription> robots;
   private final UnaryOperator<String> addresses;
+  private final boolean isTeamOnly;
 
   /**
    * @param robots the robots of this computer
@@ -34,13 +37,20 @@ final class ExposureCheck implements Check {
    *     ConfigurationException} if there is none
    */
   ExposureCheck(List<RobotDescription> robots, UnaryOperator<String> addresses) {
+    this(robots, addresses, false);
+  }
+
+  private ExposureCheck(
+      List<RobotDescription> robots, UnaryOperator<String> addresses, boolean isTeamOnly) {
+    this.isTeamOnly = isTeamOnly;
     this.robots = List.copyOf(robots);
     this.addresses = addresses;
   }
 
   /** The check for robots that are known on this computer. */
   static ExposureCheck of(List<RobotDescription> robots) {
-    return new ExposureCheck(robots, HostAddress::resolve);
+    return new ExposureCheck(
+        robots, HostAddress::resolve, SecureProcess.current().mode() != SecurityMode.OPEN);
   }
 
   @Override
@@ -74,6 +84,10 @@ final class ExposureCheck implements Check {
   }
 
   private Finding reach(String robot, String address) {
+    if (isTeamOnly) {
+      return Finding.ok(
+          subject(), robot + " is at " + address + ", and answers members of its team only");
+    }
     return HostAddress.isLoopback(address)
         ? Finding.ok(subject(), robot + " is at " + address + ", which only this computer reaches")
         : Finding.warn(

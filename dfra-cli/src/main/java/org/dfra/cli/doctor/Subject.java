@@ -41,7 +41,9 @@ public enum Subject {
   /** An effector in emergency stop. */
   EMERGENCY_STOP,
   /** A robot that can be reached from the network. */
-  EXPOSURE;
+  EXPOSURE,
+  /** Who this computer is in its team. */
+  IDENTITY;
 
   /** Its name in text and JSON output, for example {@code boot-jar}. It never changes. */
   public String id() {

@@ -19,6 +19,7 @@ import org.dfra.river.bootstrap.PhoenixInventory.ServiceGroup;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.bootstrap.StoredStopStates;
 import org.dfra.river.phoenix.GroupStatus;
+import org.dfra.river.security.SecureProcess;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -95,12 +96,23 @@ public final class StatusCommand implements Callable<Integer> {
     }
     answer.table(groups, table, "Phoenix answers, but no such robot is up on this host.");
     if (!answer.isJson()) {
+      answer.line(security(), security() + ".");
       for (Group each : groups) {
         StoppedEffectors.notices(phoenix.state(), each.robot(), each.stopped())
             .forEach(sentence -> answer.line(sentence, sentence + "."));
       }
     }
     return ExitCode.SUCCESS;
+  }
+
+  /** Who may call the robots of this computer, as a sentence without a full stop. */
+  private static String security() {
+    SecureProcess.Installed own = SecureProcess.current();
+    return switch (own.mode()) {
+      case OPEN -> "Open: whatever reaches these robots may call them";
+      case SECURE -> "Secure: members of the team only; this computer is " + own.name();
+      case CLOSED -> "Closed: " + own.name() + " works for itself only, since " + own.fault();
+    };
   }
 
   private static String services(Group group) {

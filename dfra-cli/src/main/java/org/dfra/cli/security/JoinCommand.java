@@ -3,11 +3,16 @@ package org.dfra.cli.security;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
+import java.util.OptionalLong;
 import java.util.concurrent.Callable;
 import org.dfra.cli.team.PhoenixOptions.StateOption;
 import org.dfra.core.host.CommandName;
+import org.dfra.report.terminal.CommandFailure;
 import org.dfra.report.terminal.CommandOutput;
 import org.dfra.report.terminal.ExitCode;
+import org.dfra.river.bootstrap.PhoenixProcess;
+import org.dfra.river.identity.IdentityFolder;
+import org.dfra.river.identity.SecurityFiles;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -44,6 +49,9 @@ final class JoinCommand implements Callable<Integer> {
       description = "Replace the identity of another member, or one that cannot be read.")
   private boolean isForced;
 
+  /** Only its process matters. */
+  private static final int ANY_PORT = 1;
+
   @Mixin
   @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private StateOption state;
@@ -54,6 +62,7 @@ final class JoinCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
+    requireNoOpenRobots(state.folder());
     Bundle read = Bundle.read(bundle);
     String passphrase =
         PassphraseSource.read(passphraseFile, "passphrase of " + bundle, "--passphrase-file");
@@ -75,5 +84,20 @@ final class JoinCommand implements Callable<Integer> {
             "Fingerprint of the authority: " + view.authorityFingerprint(),
             "Delete " + bundle + " and its passphrase: nobody needs them again."));
     return ExitCode.SUCCESS;
+  }
+
+  /** Robots that were started open would stay so, and commands with an identity cannot end them. */
+  private static void requireNoOpenRobots(Path state) {
+    PhoenixProcess phoenix = new PhoenixProcess("localhost", ANY_PORT, -1, state);
+    OptionalLong pid = phoenix.pid();
+    if (pid.isPresent() && !IdentityFolder.isJoined(state.resolve(SecurityFiles.FOLDER))) {
+      throw new CommandFailure(
+          ExitCode.FAILED,
+          "robots of this computer are up and open (phoenix is process "
+              + pid.getAsLong()
+              + "); end them first, and bring them up again when it has joined: "
+              + CommandName.current()
+              + " down");
+    }
   }
 }

@@ -88,6 +88,7 @@ public class DeadlineILFactory extends BasicILFactory {
   protected InvocationHandler createInvocationHandler(
       Class[] interfaces, Remote impl, ObjectEndpoint endpoint) throws ExportException {
     JeriExporters.requireNoDistributedGc(endpoint, impl);
+    EncryptedExport.require(endpoint, impl);
     super.createInvocationHandler(interfaces, impl, endpoint); // throws if it cannot be exported
     return new DeadlineInvocationHandler(endpoint, getServerConstraints(), deadline);
   }

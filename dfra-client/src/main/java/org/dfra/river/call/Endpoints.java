@@ -61,8 +61,10 @@ public final class Endpoints {
    * @param host address or name of this machine; proxies carry it, and only it is listened on
    * @param port TCP port, or 0 for one that the system chooses
    * @throws IllegalArgumentException if the host is unknown
+   * @throws IllegalStateException if this process has joined a team
    */
   public static ServerEndpoint river(String host, int port) {
+    EncryptedExport.require("River's own transport");
     return TcpServerEndpoint.getInstance(host, port, new PeerSockets(), serverSocketFactory(host));
   }
 

@@ -46,17 +46,19 @@ public final class JeriExporters {
   }
 
   /**
-   * Checks an exporter that a configuration names.
+   * Checks an exporter that a configuration names: that it uses no distributed garbage collection
+   * and, in a team, that it encrypts and asks the guard.
    *
    * @param what it is to its user, such as its entry in the configuration
    * @return the exporter
-   * @throws IllegalArgumentException if it uses distributed garbage collection; the message is a
-   *     sentence that begins with {@code what}
+   * @throws IllegalArgumentException if it must not be used; the message is a sentence that begins
+   *     with {@code what}
    */
   public static Exporter requireNoDistributedGc(Exporter exporter, String what) {
     if (exporter instanceof BasicJeriExporter jeri && jeri.getEnableDGC()) {
       throw new IllegalArgumentException(what + REFUSAL);
     }
+    EncryptedExport.require(exporter, what);
     return exporter;
   }
 

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.dfra.core.audit.AuditEvent;
+import org.dfra.core.audit.AuditKind.SecurityMode;
 import org.dfra.core.audit.AuditTrail;
 import org.dfra.core.audit.AuditedGuard;
 import org.dfra.core.policy.BuiltInPolicies;
@@ -59,16 +60,24 @@ final class ProcessIdentity {
    * The identity of a member.
    *
    * @param folder with its policy
+   * @param mode secure, or closed if others no longer believe the certificate
    * @param believesExpired whether servers with an expired certificate are called
    * @throws IOException if the policy cannot be read, or the authority has not signed it
    * @throws GeneralSecurityException if the list of revoked certificates or the key cannot be used
    */
   static ProcessIdentity of(
-      TeamCredentials credentials, Path folder, boolean believesExpired, Clock clock)
+      TeamCredentials credentials,
+      Path folder,
+      SecurityMode mode,
+      boolean believesExpired,
+      Clock clock)
       throws IOException, GeneralSecurityException {
+    String team = credentials.member().team();
+    Optional<Policy> stored = stored(folder, credentials.authority());
     Policy policy =
-        stored(folder, credentials.authority())
-            .orElseGet(() -> BuiltInPolicies.standard(credentials.member().team()));
+        mode == SecurityMode.CLOSED
+            ? BuiltInPolicies.closed(team)
+            : stored.orElseGet(() -> BuiltInPolicies.standard(team));
     RevokedCertificates revoked = new RevokedCertificates(credentials.authority());
     Optional<X509CRL> list = credentials.revocations();
     if (list.isPresent()) {

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
 import java.time.Clock;
+import java.time.Instant;
 import java.time.InstantSource;
 import java.util.Objects;
 import org.dfra.core.audit.AuditEvent;
@@ -14,6 +15,7 @@ import org.dfra.core.audit.AuditTrail;
 import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.IdentityFolder;
 import org.dfra.river.identity.SecurityFiles;
+import org.dfra.river.identity.TeamCredentials;
 import org.dfra.river.transport.CurrentIdentity;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -96,22 +98,35 @@ public final class SecureProcess {
   @GuardedBy("SecureProcess.class")
   private static Installed installMember(Path folder, boolean believesExpired) {
     ProcessIdentity made;
-    SecurityMode mode = SecurityMode.SECURE;
-    String fault = "";
+    SecurityMode mode;
+    String fault;
     try {
-      made =
-          ProcessIdentity.of(
-              IdentityFolder.load(folder), folder, believesExpired, Clock.systemUTC());
+      TeamCredentials credentials = IdentityFolder.load(folder);
+      fault = fault(credentials);
+      mode = fault.isEmpty() ? SecurityMode.SECURE : SecurityMode.CLOSED;
+      made = ProcessIdentity.of(credentials, folder, mode, believesExpired, Clock.systemUTC());
     } catch (IdentityException | IOException | GeneralSecurityException e) {
       mode = SecurityMode.CLOSED;
       fault = Objects.toString(e.getMessage(), e.toString());
       made = closed(folder, fault);
+    }
+    if (mode == SecurityMode.CLOSED) {
       LOG.error("This process works for its own robot only: {}", fault);
     }
     identity = made;
     CurrentIdentity.setForProcess(made.identity());
     SecurityWatch.start(folder, made);
     return new Installed(mode, made.identity().member().toString(), made.identity().robot(), fault);
+  }
+
+  /** Why nobody else would believe this member; empty if they do. */
+  private static String fault(TeamCredentials credentials) {
+    if (credentials.isRevoked()) {
+      return "the certificate of "
+          + credentials.member()
+          + " is revoked; ask the team's authority for a new one";
+    }
+    return credentials.validityFault(Instant.now()).orElse("");
   }
 
   /**

@@ -8,6 +8,7 @@ import java.util.logging.Filter;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
 import org.dfra.directory.RegistrationRefusedException;
+import org.dfra.security.AccessRefusedException;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.LoggerFactory;
 
@@ -72,7 +73,7 @@ final class RefusalLogFilter implements Filter {
   private static @Nullable String refusal(@Nullable Throwable thrown) {
     @Nullable Throwable at = thrown;
     for (int i = 0; at != null && i < LONGEST_CHAIN; i++) {
-      if (at instanceof RegistrationRefusedException) {
+      if (at instanceof RegistrationRefusedException || at instanceof AccessRefusedException) {
         return String.valueOf(at.getMessage());
       }
       at = at.getCause();

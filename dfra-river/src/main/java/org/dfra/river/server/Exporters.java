@@ -4,6 +4,7 @@ import java.rmi.activation.ActivationID;
 import net.jini.export.Exporter;
 import net.jini.jrmp.JrmpExporter;
 import org.dfra.river.call.DeadlineILFactory;
+import org.dfra.river.call.EncryptedExport;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.call.JeriExporters;
 import org.dfra.river.call.ResurrectingExporter;
@@ -56,6 +57,7 @@ public final class Exporters {
    * @param deadlineMillis the longest wait for an answer, in milliseconds, at least 1
    */
   public static Exporter jrmp(ServerSettings settings, long deadlineMillis) {
+    EncryptedExport.require("JRMP");
     JrmpSocketFactory sockets =
         new JrmpSocketFactory(settings.host(), Math.toIntExact(deadlineMillis));
     Exporter plain = new JrmpCallsExporter(new JrmpExporter(0, sockets, sockets), settings.host());

@@ -1,0 +1,50 @@
+package org.dfra.cli.doctor;
+
+import java.util.List;
+import org.dfra.cli.doctor.CheckRunner.Check;
+import org.dfra.core.host.CommandName;
+import org.dfra.river.security.SecureProcess;
+import org.dfra.river.security.SecureProcess.Installed;
+
+/** Reports who this computer is, and whether others believe it. */
+final class IdentityCheck implements Check {
+
+  private final Installed own;
+
+  IdentityCheck(Installed own) {
+    this.own = own;
+  }
+
+  /** The check for what this command was started with. */
+  static IdentityCheck ofThisProcess() {
+    return new IdentityCheck(SecureProcess.current());
+  }
+
+  @Override
+  public Subject subject() {
+    return Subject.IDENTITY;
+  }
+
+  @Override
+  public List<Finding> run() {
+    return List.of(
+        switch (own.mode()) {
+          case SECURE ->
+              Finding.ok(
+                  subject(),
+                  "this computer is " + own.name() + ": its calls are encrypted and authenticated");
+          case CLOSED ->
+              Finding.fail(
+                  subject(),
+                  own.name() + " works for itself only: " + own.fault(),
+                  "Join the team again with a new bundle: "
+                      + CommandName.current()
+                      + " security join NAME.bundle.");
+          case OPEN ->
+              Finding.ok(
+                  subject(),
+                  "this computer has joined no team: calls are neither encrypted nor authenticated,"
+                      + " and its robots are open to every program that reaches them");
+        });
+  }
+}
