@@ -46,7 +46,7 @@ final class TestIdentities {
     return identity(role, name, authority.issue(new Member("field", role, name)), guard);
   }
 
-  /** An identity that presents any certificate, whoever has issued it. */
+  /** An identity that presents any certificate, of any issuer. */
   TeamIdentity of(MemberRole role, String name, Issued issued) {
     return identity(role, name, issued, request -> Decision.permit("all"));
   }
