@@ -42,6 +42,7 @@ final class ProcessIdentity {
   private final PolicyGuard policy;
   private final ReplaceableGuard guard;
   private final X509Certificate authority;
+  private final boolean isClosed;
   private volatile @Nullable AuditTrail audit;
 
   private ProcessIdentity(
@@ -49,7 +50,9 @@ final class ProcessIdentity {
       RevokedCertificates revoked,
       PolicyGuard policy,
       ReplaceableGuard guard,
-      X509Certificate authority) {
+      X509Certificate authority,
+      boolean isClosed) {
+    this.isClosed = isClosed;
     this.identity = identity;
     this.revoked = revoked;
     this.policy = policy;
@@ -100,7 +103,8 @@ final class ProcessIdentity {
                 asked,
                 believesExpired),
             clock);
-    return new ProcessIdentity(identity, revoked, guard, asked, credentials.authority());
+    return new ProcessIdentity(
+        identity, revoked, guard, asked, credentials.authority(), mode == SecurityMode.CLOSED);
   }
 
   /**
@@ -126,7 +130,7 @@ final class ProcessIdentity {
                 asked,
                 false),
             clock);
-    return new ProcessIdentity(identity, revoked, guard, asked, robot.authority());
+    return new ProcessIdentity(identity, revoked, guard, asked, robot.authority(), true);
   }
 
   /** The transport has it before the audit trail is there. */
@@ -168,6 +172,11 @@ final class ProcessIdentity {
     if (trail != null) {
       trail.record(event);
     }
+  }
+
+  /** Whether it has the closed policy, which no other one replaces. */
+  boolean isClosed() {
+    return isClosed;
   }
 
   /** What is in force. */
