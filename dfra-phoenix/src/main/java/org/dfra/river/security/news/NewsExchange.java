@@ -138,7 +138,7 @@ public final class NewsExchange {
   }
 
   /** Returns what the other one has afterwards. */
-  private Numbers exchange(TeamNews other) throws IOException {
+  Numbers exchange(TeamNews other) throws IOException {
     Numbers mine = own.get();
     Numbers theirs = other.numbers();
     if (theirs.revocations() > mine.revocations()) {
