@@ -60,6 +60,7 @@ public final class TeamIdentity implements ChannelIdentity {
   private final Guard guard;
   private final SSLContext context;
   private final X509Certificate own;
+  private final boolean isIssued; // by the authority; otherwise it is a robot's own key
   private final boolean believesExpired;
 
   /**
@@ -115,6 +116,8 @@ public final class TeamIdentity implements ChannelIdentity {
     this.believesExpired = settings.believesExpired();
     X509Certificate certificate = settings.key().chain().get(0);
     this.own = certificate;
+    this.isIssued =
+        certificate.getIssuerX500Principal().equals(settings.authority().getSubjectX500Principal());
     Set<Principal> principals = new LinkedHashSet<>(settings.principals());
     principals.add(member);
     principals.add(member.x500());
@@ -196,8 +199,11 @@ public final class TeamIdentity implements ChannelIdentity {
   }
 
   private String reason(X509Certificate certificate) {
-    return isRevoked(certificate)
-        ? "its certificate is revoked"
+    if (isRevoked(certificate)) {
+      return "its certificate is revoked";
+    }
+    return trust.standing(certificate) == Standing.OWN
+        ? "the authority has not issued the certificate of its key, which is for this computer only"
         : "its certificate is valid from "
             + certificate.getNotBefore().toInstant()
             + " until "
@@ -257,6 +263,7 @@ public final class TeamIdentity implements ChannelIdentity {
     private final X509Certificate certificate;
     private final String address;
     private final boolean isLocal;
+    private final boolean isThisComputer; // which has the whole loopback, also for several robots
     private final boolean isServer;
     private final Subject subject;
 
@@ -267,6 +274,7 @@ public final class TeamIdentity implements ChannelIdentity {
       this.address = address;
       @Nullable InetAddress from = NumericAddress.parse(address);
       this.isLocal = from != null && OwnAddresses.isAlwaysLocal(from);
+      this.isThisComputer = isLocal || (from != null && from.isLoopbackAddress());
       Set<Principal> principals = new LinkedHashSet<>();
       principals.add(who);
       principals.add(who.x500());
@@ -289,15 +297,21 @@ public final class TeamIdentity implements ChannelIdentity {
       return standing() == Standing.STRANGER ? NOBODY : subject;
     }
 
-    /** A revoked key may be in other hands: elsewhere it is nobody's. */
     private Standing standing() {
       Standing standing = trust.standing(certificate);
       if (standing == Standing.MEMBER && who.equals(member)) {
         return Standing.OWN; // with the certificate before or after a renewal
       }
-      return standing == Standing.OWN && !isLocal && TeamIdentity.this.isRevoked(certificate)
-          ? Standing.STRANGER
-          : standing;
+      return standing != Standing.OWN || isOwnHere() ? standing : Standing.STRANGER;
+    }
+
+    /**
+     * A revoked key may be in other hands: elsewhere it is nobody's. So is a key that the authority
+     * knows nothing of, and cannot revoke: that between a robot's processes.
+     */
+    private boolean isOwnHere() {
+      return (isLocal || !TeamIdentity.this.isRevoked(certificate))
+          && (isThisComputer || (certificate.equals(own) && isIssued));
     }
 
     @Override

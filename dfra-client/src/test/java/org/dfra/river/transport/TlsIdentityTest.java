@@ -32,6 +32,7 @@ import net.jini.jeri.OutboundRequest;
 import net.jini.jeri.ServerEndpoint.ListenHandle;
 import org.dfra.river.fixture.TestTeam;
 import org.dfra.river.fixture.TestTeam.Issued;
+import org.dfra.river.identity.TeamIdentity;
 import org.dfra.security.Caller;
 import org.dfra.security.Caller.Standing;
 import org.dfra.security.Guard;
@@ -90,6 +91,30 @@ class TlsIdentityTest {
   }
 
   @Test
+  void anOwnKeyThatTheAuthorityDoesNotKnowIsForOneComputer() throws Exception {
+    Issued own = AUTHORITY.issue(ATRV1);
+    TeamIdentity robot = team.of(MemberRole.ROBOT, "atrv1", own);
+    ChannelIdentity copied =
+        team.of(MemberRole.ROBOT, "atrv1", TestTeam.certify(own, new X500Principal("CN=any")));
+    List<SSLSession> sessions = new CopyOnWriteArrayList<>();
+    AtomicReference<@Nullable ChannelPeer> seen = new AtomicReference<>();
+    try (RecordingServer server = RecordingServer.as(new Observed(robot, seen, sessions))) {
+      assertThat(call(server.from(copied))).hasSize(3);
+      assertThat(call(server.from(robot))).hasSize(3);
+    }
+    SSLSession withoutIssuer = sessions.get(0);
+    SSLSession issued = sessions.get(1);
+    for (boolean isServer : new boolean[] {false, true}) {
+      assertThatThrownBy(() -> robot.peer(withoutIssuer, "192.0.2.7", isServer))
+          .hasMessageContaining("which is for this computer only");
+      assertThat(robot.peer(issued, "192.0.2.7", isServer).caller().standing())
+          .isEqualTo(Standing.OWN);
+      assertThat(robot.peer(withoutIssuer, "127.0.0.1", isServer).caller().standing())
+          .isEqualTo(Standing.OWN);
+    }
+  }
+
+  @Test
   void anotherMemberWithTheOwnNameIsOwnOnlyWhileItsCertificateIsValid() throws IOException {
     ChannelIdentity robot = team.of(MemberRole.ROBOT, "atrv1");
     Instant now = Instant.now();
@@ -135,7 +160,8 @@ class TlsIdentityTest {
     ChannelIdentity robot = team.of(MemberRole.ROBOT, "atrv1");
     ChannelIdentity operator = team.of(MemberRole.OPERATOR, "anna", anna);
     AtomicReference<@Nullable ChannelPeer> seen = new AtomicReference<>();
-    try (RecordingServer server = RecordingServer.as(new Observed(robot, seen))) {
+    try (RecordingServer server =
+        RecordingServer.as(new Observed(robot, seen, new ArrayList<>()))) {
       assertThat(call(server.from(operator))).hasSize(3);
       ChannelPeer peer = seen.get();
       assertThat(peer.subject().getPrincipals())
@@ -147,7 +173,10 @@ class TlsIdentityTest {
   }
 
   /** Notes the peers. */
-  private record Observed(ChannelIdentity identity, AtomicReference<@Nullable ChannelPeer> seen)
+  private record Observed(
+      ChannelIdentity identity,
+      AtomicReference<@Nullable ChannelPeer> seen,
+      List<SSLSession> sessions)
       implements ChannelIdentity {
 
     @Override
@@ -165,6 +194,7 @@ class TlsIdentityTest {
         throws IOException {
       ChannelPeer peer = identity.peer(session, address, isServer);
       seen.set(peer);
+      sessions.add(session);
       return peer;
     }
 
