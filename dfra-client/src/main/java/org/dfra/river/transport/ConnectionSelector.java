@@ -237,7 +237,7 @@ final class ConnectionSelector {
         }
       }
       checkSoon();
-      if (connection.link().hasReceived()) {
+      if (connection.link().held() > 0) { // half a request has a limit, too
         handle(key);
       }
     } catch (IOException | CancelledKeyException e) {
@@ -320,7 +320,7 @@ final class ConnectionSelector {
     }
     if (connection.port().isClosed()) {
       endGently(connection);
-    } else if (connection.link().hasReceived()) {
+    } else if (connection.link().held() > 0) { // what came with the end of the handshake
       handle(key);
     }
   }

@@ -16,7 +16,8 @@ import javax.net.ssl.SSLException;
 /** A client that decides for itself which bytes of TLS it sends, and when. */
 final class RawTls implements AutoCloseable {
 
-  private static final int BUFFER = 64 * 1024;
+  /** The memory that each needs beside TLS, in bytes. */
+  static final int BUFFER = 64 * 1024;
 
   private final Socket socket = new Socket();
   private final SSLEngine engine;
@@ -49,7 +50,15 @@ final class RawTls implements AutoCloseable {
   /** One whose handshake is complete. */
   static RawTls connected(String source, int port, ChannelIdentity identity) throws IOException {
     RawTls client = greeted(source, port, identity);
-    client.handshake();
+    client.handshake(false);
+    return client;
+  }
+
+  /** One whose handshake is complete, and that has sent half a record with the end of it. */
+  static RawTls connectedWithHalfARecord(String source, int port, ChannelIdentity identity)
+      throws IOException {
+    RawTls client = greeted(source, port, identity);
+    client.handshake(true);
     return client;
   }
 
@@ -71,12 +80,19 @@ final class RawTls implements AutoCloseable {
     return wrapAll(new byte[0]);
   }
 
-  private void handshake() throws IOException {
+  private void handshake(boolean sendsHalfARecord) throws IOException {
     send(hello());
     while (engine.getHandshakeStatus() != HandshakeStatus.NOT_HANDSHAKING) {
       switch (engine.getHandshakeStatus()) {
         case NEED_TASK -> engine.getDelegatedTask().run();
-        case NEED_WRAP -> send(wrapAll(new byte[0]));
+        case NEED_WRAP -> {
+          ByteArrayOutputStream flight = new ByteArrayOutputStream();
+          flight.writeBytes(wrapAll(new byte[0]));
+          if (sendsHalfARecord && engine.getHandshakeStatus() == HandshakeStatus.NOT_HANDSHAKING) {
+            flight.write(block(Block.Kind.END, new byte[100]), 0, 60);
+          }
+          send(flight.toByteArray());
+        }
         default -> {
           byte[] unused = unwrap();
         }

@@ -61,8 +61,8 @@ class TlsIdentityTest {
     }
     try (InputStream in = request.getResponseInputStream()) {
       return in.readAllBytes();
-    } finally {
-      connections.closeIdle();
+    } finally { // the watchdog may have replaced the list meanwhile
+      ClientConnections.to(to, InetAddress.getByName(source), 0).closeIdle();
     }
   }
 
