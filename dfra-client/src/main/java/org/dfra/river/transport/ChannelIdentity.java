@@ -47,6 +47,9 @@ public interface ChannelIdentity {
    */
   InvocationConstraints requiredOfRobot(String name);
 
+  /** Calls back after each new list of revoked certificates, for as long as this exists. */
+  void addRevocationListener(Runnable listener);
+
   /** Decides about calls to what is exported with this identity. */
   Guard guard();
 }

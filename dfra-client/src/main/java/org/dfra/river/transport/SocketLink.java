@@ -104,6 +104,11 @@ final class SocketLink implements Link {
   }
 
   @Override
+  public int held() {
+    return 0;
+  }
+
+  @Override
   public @Nullable ChannelPeer partner() {
     return null;
   }
