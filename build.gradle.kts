@@ -78,6 +78,7 @@ allprojects {
 
 dependencies {
     testCompileOnly(project(":dfra-activation"))
+    testImplementation(project(":dfra-authority"))
     testImplementation(project(":dfra-benchmarks"))
     testImplementation(project(":dfra-recruit"))
     testImplementation(project(":dfra-testing"))

@@ -35,20 +35,21 @@ public final class MarkedProcesses implements AutoCloseable {
    * @param folder a folder of this test alone
    * @param options further options for the first process
    */
-  MarkedProcesses(Path folder, String... options) {
+  public MarkedProcesses(Path folder, String... options) {
     this.mark = folder.resolve("mark");
     this.options = List.of(options);
     environment.put("DFRA_WAIT", "20"); // where nothing is missing it is not used up
   }
 
   /** Sets a variable of the processes that are started from now on. */
-  MarkedProcesses set(String variable, String value) {
+  public MarkedProcesses set(String variable, String value) {
     environment.put(variable, value);
     return this;
   }
 
   /** Runs {@code ./dfra} with these arguments, without the script. */
-  Outcome dfra(Duration patience, String... arguments) throws IOException, InterruptedException {
+  public Outcome dfra(Duration patience, String... arguments)
+      throws IOException, InterruptedException {
     List<String> command = new ArrayList<>(List.of(JvmCommand.java()));
     List<String> usual = new ArrayList<>(JvmCommand.options());
     int classPath = usual.size() - 1;
@@ -95,7 +96,7 @@ public final class MarkedProcesses implements AutoCloseable {
   }
 
   /** Every process with this mark that lives now. */
-  List<ProcessHandle> living() {
+  public List<ProcessHandle> living() {
     return ProcessHandle.allProcesses()
         .filter(each -> each.info().commandLine().orElse("").contains(mark.toString()))
         .filter(ProcessHandle::isAlive)

@@ -54,6 +54,8 @@ public abstract class ActivationGroup extends UnicastRemoteObject
    */
   private final ActivationGroupID groupID;
 
+  private final transient LoopbackSocketFactory loopback;
+
   /**
    * @serial the monitor to which it reports its objects; null until the system knows the group, and
    *     if the system returned none
@@ -79,9 +81,25 @@ public abstract class ActivationGroup extends UnicastRemoteObject
   private ActivationGroup(ActivationGroupID groupID, LoopbackSocketFactory loopback)
       throws RemoteException {
     super(0, loopback, loopback);
+    this.loopback = loopback;
     this.groupID = groupID;
     if (Thread.holdsLock(ActivationGroup.class)) {
       exported = this;
+    }
+  }
+
+  /**
+   * Ends the export that the constructor made, for a group that is exported by another transport.
+   * To unexport the group is not enough: its port would go on to serve the garbage collection of
+   * JRMP, to everybody on this computer.
+   *
+   * @throws NoSuchObjectException if it has ended already
+   */
+  protected final void endJrmpExport() throws NoSuchObjectException {
+    try {
+      boolean unused = UnicastRemoteObject.unexportObject(this, true);
+    } finally {
+      loopback.close();
     }
   }
 

@@ -16,6 +16,7 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.atomic.AtomicReference;
 import net.jini.core.constraint.MethodConstraints;
 import net.jini.core.constraint.RemoteMethodControl;
+import org.dfra.river.transport.CurrentIdentity;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -28,6 +29,9 @@ final class LiveProxyHolder {
 
   private final ActivationID id;
   private final @Nullable MethodConstraints constraints;
+
+  /** The new proxy keeps the identity of the first. */
+  private final CurrentIdentity.Kept identity = CurrentIdentity.keep();
 
   @GuardedBy("this")
   private @Nullable Remote last;
@@ -95,7 +99,8 @@ final class LiveProxyHolder {
 
   private Activation begin(boolean force) {
     AtomicReference<@Nullable Activation> self = new AtomicReference<>();
-    Activation begun = new Activation(new FutureTask<>(() -> bringBack(force, self)), force);
+    Activation begun =
+        new Activation(new FutureTask<>(() -> identity.call(() -> bringBack(force, self))), force);
     self.set(begun);
     CallThreads.run(begun.task());
     return begun;

@@ -48,6 +48,11 @@ public final class RevokedCertificates {
     listeners.add(listener);
   }
 
+  /** Ends {@link #addListener}. */
+  public void removeListener(Runnable listener) {
+    listeners.remove(listener);
+  }
+
   /**
    * Takes a list if it is newer than the known one.
    *

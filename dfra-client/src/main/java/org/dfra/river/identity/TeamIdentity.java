@@ -55,9 +55,9 @@ public final class TeamIdentity implements ChannelIdentity {
 
   private final Member member;
   private final Subject subject;
-  private final RevokedCertificates revoked;
   private final MemberTrust trust;
   private final Guard guard;
+  private final RevokedCertificates revoked;
   private final SSLContext context;
   private final X509Certificate own;
   private final boolean isIssued; // by the authority; otherwise it is a robot's own key
@@ -244,6 +244,11 @@ public final class TeamIdentity implements ChannelIdentity {
   @Override
   public void addRevocationListener(Runnable listener) {
     revoked.addListener(listener);
+  }
+
+  @Override
+  public void removeRevocationListener(Runnable listener) {
+    revoked.removeListener(listener);
   }
 
   @Override

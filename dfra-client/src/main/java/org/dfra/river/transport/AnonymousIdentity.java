@@ -82,9 +82,12 @@ final class AnonymousIdentity implements ChannelIdentity {
     return InvocationConstraints.EMPTY;
   }
 
-  /** Nothing is revoked. */
+  /** Without an authority there is no such list. */
   @Override
   public void addRevocationListener(Runnable listener) {}
+
+  @Override
+  public void removeRevocationListener(Runnable listener) {}
 
   @Override
   public Guard guard() {

@@ -47,8 +47,16 @@ public interface ChannelIdentity {
    */
   InvocationConstraints requiredOfRobot(String name);
 
-  /** Calls back after each new list of revoked certificates, for as long as this exists. */
+  /**
+   * Calls back after each new list of revoked certificates, until the listener is removed. Then
+   * {@link ChannelPeer#isRevoked} is by the new list.
+   *
+   * @param listener must not wait; it is called on the thread that brought the list
+   */
   void addRevocationListener(Runnable listener);
+
+  /** Ends {@link #addRevocationListener}. */
+  void removeRevocationListener(Runnable listener);
 
   /** Decides about calls to what is exported with this identity. */
   Guard guard();

@@ -39,6 +39,22 @@ public final class CurrentIdentity {
   }
 
   /**
+   * Calls back after each new list of revoked certificates of the current identity. Without an
+   * identity there is none.
+   *
+   * @param listener must not wait
+   * @return ends it
+   */
+  public static Runnable onRevocation(Runnable listener) {
+    @Nullable ChannelIdentity identity = get();
+    if (identity == null) {
+      return () -> {};
+    }
+    identity.addRevocationListener(listener);
+    return () -> identity.removeRevocationListener(listener);
+  }
+
+  /**
    * Sets the identity of the process, before it makes or receives an endpoint. It cannot be taken
    * away again: nothing falls back to calls without encryption.
    *
@@ -92,6 +108,26 @@ public final class CurrentIdentity {
       return body.call();
     } finally {
       restore(before);
+    }
+  }
+
+  /** The identity that is current now, for work that other threads do later. */
+  public static Kept keep() {
+    return new Kept(OF_THREAD.get());
+  }
+
+  /** An identity of a thread; none if it had only that of the process. */
+  public static final class Kept {
+
+    private final @Nullable ChannelIdentity identity;
+
+    private Kept(@Nullable ChannelIdentity identity) {
+      this.identity = identity;
+    }
+
+    /** Runs with it. */
+    public <T extends @Nullable Object> T call(Callable<T> body) throws Exception {
+      return identity == null ? body.call() : callAs(identity, body);
     }
   }
 }

@@ -476,6 +476,7 @@ final class TlsLink implements Link {
     if (client != null) {
       context.add((ClientSubject) client::subject);
       context.add(client.caller());
+      context.add(client);
     }
   }
 

@@ -219,6 +219,11 @@ class TlsIdentityTest {
     }
 
     @Override
+    public void removeRevocationListener(Runnable listener) {
+      identity.removeRevocationListener(listener);
+    }
+
+    @Override
     public Guard guard() {
       return identity.guard();
     }

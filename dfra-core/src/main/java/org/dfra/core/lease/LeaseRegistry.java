@@ -252,7 +252,28 @@ public final class LeaseRegistry implements AutoCloseable {
     return true;
   }
 
-  /** The same, by the handle that listings show. */
+  /**
+   * Revokes a lease as if it had expired: on the executor of its holder's role, since callbacks may
+   * block.
+   */
+  public void revokeInBackground(UUID id) {
+    LeaseRole holder;
+    synchronized (entries) {
+      LeaseEntry entry = entries.get(id);
+      if (entry == null) {
+        return;
+      }
+      holder = entry.holder;
+    }
+    expiries
+        .apply(holder)
+        .execute(
+            () -> {
+              boolean unused = revoke(id);
+            });
+  }
+
+  /** As {@link #revoke(UUID)}, by the handle that listings show. */
   public boolean revoke(LeaseHandle handle) {
     Optional<UUID> id;
     synchronized (entries) {

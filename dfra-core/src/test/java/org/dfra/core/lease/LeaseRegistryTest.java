@@ -274,4 +274,27 @@ class LeaseRegistryTest {
             () -> book.grant(Duration.ofMillis(Long.MAX_VALUE), LeaseRole.CLIENT, null, () -> {}))
         .hasMessage("atrv1/gps: lease for ever > longest allowed 30 s; ask for 30 s or less");
   }
+
+  @Test
+  void aLeaseThatIsRevokedInTheBackgroundEndsOnTheExecutorOfItsRole() throws Exception {
+    List<Runnable> submitted = new ArrayList<>();
+    LeaseRegistry registry =
+        new LeaseRegistry(
+            "atrv1/gps",
+            LeaseTerms.DEFAULT,
+            InstantSource.fixed(Instant.EPOCH),
+            time,
+            reported::add,
+            role -> role == LeaseRole.COMMANDER ? submitted::add : Runnable::run);
+    LeaseGrant commander =
+        registry.grant(Duration.ofSeconds(10), LeaseRole.COMMANDER, null, () -> over.add("it"));
+    registry.revokeInBackground(commander.id());
+    assertThat(over).as("on the thread that brought the news").isEmpty();
+    assertThat(submitted).hasSize(1);
+    submitted.get(0).run();
+    assertThat(over).containsExactly("it");
+    assertThat(registry.isRevoked(commander.id())).isTrue();
+    registry.revokeInBackground(commander.id());
+    assertThat(submitted).as("for a lease that is over").hasSize(1);
+  }
 }

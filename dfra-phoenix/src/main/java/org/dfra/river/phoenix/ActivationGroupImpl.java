@@ -93,7 +93,7 @@ public final class ActivationGroupImpl extends ActivationGroup
       throws RemoteException, ActivationException {
     super(id);
     this.id = id;
-    UnicastRemoteObject.unexportObject(this, true); // JERI exports this group, not JRMP
+    endJrmpExport(); // JERI exports this group, not JRMP
     try {
       Configuration c =
           ConfigurationProvider.getInstance(data == null ? new String[0] : data.get());

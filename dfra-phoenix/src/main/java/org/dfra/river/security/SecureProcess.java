@@ -79,7 +79,14 @@ public final class SecureProcess {
    */
   public static Installed installFromProperty() {
     @Nullable String folder = System.getProperty(PROPERTY);
-    return folder == null ? Installed.OPEN : install(Path.of(folder), false);
+    if (folder == null) {
+      return Installed.OPEN;
+    }
+    Installed own = install(Path.of(folder), false);
+    if (own.mode() == SecurityMode.CLOSED) { // commands say it themselves
+      LOG.error("This process works for its own robot only: {}", own.fault());
+    }
+    return own;
   }
 
   /**
@@ -113,9 +120,6 @@ public final class SecureProcess {
       mode = SecurityMode.CLOSED;
       fault = Objects.toString(e.getMessage(), e.toString());
       made = closed(folder, fault);
-    }
-    if (mode == SecurityMode.CLOSED) {
-      LOG.error("This process works for its own robot only: {}", fault);
     }
     identity = made;
     CurrentIdentity.setForProcess(made.identity());

@@ -1,14 +1,17 @@
 package org.dfra.river.lease;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import com.sun.jini.landlord.Landlord;
 import com.sun.jini.landlord.LandlordUtil;
 import com.sun.jini.landlord.LocalLandlord;
 import java.net.InetAddress;
 import java.rmi.RemoteException;
+import java.rmi.server.ServerNotActiveException;
 import java.time.Duration;
 import java.util.Map;
 import java.util.Optional;
 import java.util.UUID;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicBoolean;
 import net.jini.config.Configuration;
 import net.jini.config.ConfigurationException;
@@ -16,6 +19,7 @@ import net.jini.core.lease.Lease;
 import net.jini.core.lease.LeaseDeniedException;
 import net.jini.core.lease.UnknownLeaseException;
 import net.jini.export.Exporter;
+import net.jini.export.ServerContext;
 import net.jini.id.Uuid;
 import net.jini.id.UuidFactory;
 import org.dfra.core.lease.LeaseRegistry;
@@ -28,7 +32,11 @@ import org.dfra.river.callback.ClientAddress;
 import org.dfra.river.callback.PeerQuota;
 import org.dfra.river.remote.LeaseRevokedException;
 import org.dfra.river.remote.ProcessLease;
+import org.dfra.river.transport.ChannelPeer;
+import org.dfra.river.transport.CurrentIdentity;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * Grants the leases of a module's {@link LeaseRegistry} to remote clients: a River landlord that
@@ -38,6 +46,8 @@ import org.jspecify.annotations.Nullable;
  * longestLease} and {@code defaultLease}, in milliseconds.
  */
 public final class ModuleLandlord implements Landlord, LocalLandlord, AutoCloseable {
+
+  private static final Logger LOG = LoggerFactory.getLogger(ModuleLandlord.class);
 
   private static final String COMPONENT = "org.dfra.river.lease";
 
@@ -53,6 +63,10 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
   private final String host;
   private final PeerQuota quota;
   private volatile @Nullable Landlord proxy; // once it is exported
+  private volatile Runnable notRevoking = () -> {}; // ends the callback of endRevoked
+
+  /** Members that hold leases: a revoked one loses its leases at once. */
+  private final Map<UUID, ChannelPeer> members = new ConcurrentHashMap<>();
 
   /**
    * @param module the module's path, {@code robot/name}
@@ -98,6 +112,7 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
   /** Exports the landlord. Before that it grants nothing. */
   public void start() throws RemoteException {
     if (proxy == null) {
+      notRevoking = CurrentIdentity.onRevocation(this::endRevoked);
       proxy = (Landlord) exporter.export(this);
     }
   }
@@ -109,6 +124,18 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
       proxy = null;
       exporter.unexport(true);
     }
+    notRevoking.run();
+  }
+
+  /** A revoked member cannot renew its leases; what it commands must not go on until they end. */
+  private void endRevoked() {
+    members.forEach(
+        (id, member) -> {
+          if (member.isRevoked()) {
+            LOG.info("{}: a lease of {} ends, whose certificate was revoked", module, member);
+            book.revokeInBackground(id);
+          }
+        });
   }
 
   /**
@@ -136,15 +163,63 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
     if (open == null) {
       throw new LeaseRefusedException(module + " grants no leases now; it starts or stops");
     }
+    Holding holding = new Holding();
+    Runnable expired = () -> runBoth(holding::end, onExpired);
+    Runnable cancelled = () -> runBoth(holding::end, onCancelled);
     LeaseGrant granted =
         holder == LeaseRole.COMMANDER
-            ? book.grant(requestedDuration(duration), holder, clientHost(), onExpired, onCancelled)
-            : counted(requestedDuration(duration), holder, onExpired, onCancelled);
+            ? book.grant(requestedDuration(duration), holder, clientHost(), expired, cancelled)
+            : counted(requestedDuration(duration), holder, expired, cancelled);
     UUID id = granted.id();
+    holding.begin(id);
     return new ProcessLease(
         UuidFactory.create(id.getMostSignificantBits(), id.getLeastSignificantBits()),
         open,
         System.currentTimeMillis() + granted.duration().toMillis());
+  }
+
+  /** A lease among those of {@link #members}, if a member holds it. */
+  private final class Holding {
+
+    @GuardedBy("this")
+    private boolean isOver;
+
+    @GuardedBy("this")
+    private @Nullable UUID id;
+
+    void begin(UUID granted) {
+      Optional<ChannelPeer> holder = caller();
+      if (holder.isEmpty()) {
+        return;
+      }
+      synchronized (this) {
+        if (isOver) {
+          return;
+        }
+        id = granted;
+        members.put(granted, holder.get());
+      }
+      if (holder.get().isRevoked()) { // since its call was permitted
+        book.revokeInBackground(granted);
+      }
+    }
+
+    synchronized void end() {
+      isOver = true;
+      if (id != null) {
+        members.remove(id);
+      }
+    }
+  }
+
+  /** Who makes the call that runs on this thread, if its connection is encrypted. */
+  private static Optional<ChannelPeer> caller() {
+    try {
+      return Optional.ofNullable(
+          (ChannelPeer) ServerContext.getServerContextElement(ChannelPeer.class));
+    } catch (ServerNotActiveException e) {
+      return Optional.empty();
+    }
   }
 
   private LeaseGrant counted(

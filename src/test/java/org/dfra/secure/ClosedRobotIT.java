@@ -1,0 +1,176 @@
+package org.dfra.secure;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.dfra.secure.SecureTeam.ANNA;
+import static org.dfra.secure.SecureTeam.ok;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Clock;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.ZoneOffset;
+import java.util.Map;
+import org.dfra.app.MarkedProcesses.Outcome;
+import org.dfra.authority.Authority;
+import org.dfra.cli.security.IdentityInstaller;
+import org.dfra.cli.security.VerifiedBundle;
+import org.dfra.drive.Wheels;
+import org.dfra.flow.effector.DriveEffector;
+import org.dfra.secure.PlainCalls.Greeted;
+import org.dfra.security.AccessRefusedException;
+import org.dfra.security.MemberRole;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * A robot whose identity cannot be used comes up closed: its own processes use it, others can only
+ * stop it. It is never open, and says why.
+ */
+@Timeout(240)
+class ClosedRobotIT {
+
+  private static final String ROBOT = "atrv1";
+  private static final String BEN = "ben";
+  private static final String STRANGER = "stranger";
+
+  @TempDir Path folder;
+
+  private SecureTeam team;
+  private Wheels wheels;
+
+  @BeforeEach
+  void make() throws Exception {
+    wheels = new Wheels();
+    team = new SecureTeam(folder);
+    team.describe(
+        ROBOT, TeamRobots.group("all", TeamRobots.registrar(), TeamRobots.drive(wheels.url())));
+  }
+
+  @AfterEach
+  void end() {
+    try {
+      team.close();
+    } finally {
+      wheels.close();
+    }
+  }
+
+  private void joined() throws Exception {
+    team.init();
+    team.admit("robot", ROBOT);
+  }
+
+  private Path file(String name) {
+    return team.security(ROBOT).resolve(name);
+  }
+
+  /** What is the same for all of them. */
+  private void assertClosed(String why) throws Exception {
+    Outcome up = ok(team.up(ROBOT));
+    assertThat(up.err()).contains(why).startsWith("dfra: ").doesNotContain("\tat ");
+    assertThat(up.out()).as("the fault is said once").doesNotContain(why);
+    assertThat(ok(team.dfra(ROBOT, "status")).out())
+        .contains("Closed: robot atrv1 of field works for itself only, since ")
+        .contains(why);
+    for (ProcessHandle process : team.living(ROBOT)) {
+      Map<Integer, Greeted> answers = PlainCalls.toAllPortsOf(process.pid());
+      assertThat(answers.values())
+          .as("answers of %s to plain calls: %s", process.info().commandLine(), answers)
+          .contains(Greeted.ENCRYPTED_ONLY)
+          .doesNotContain(Greeted.WELCOME, Greeted.RIVER);
+    }
+    assertThat(ok(team.ask(ROBOT, "module", "call", "atrv1/drive", "driveState")).out())
+        .contains("velocity");
+  }
+
+  @Test
+  void aWrongPassphraseClosesARobot() throws Exception {
+    joined();
+    Path unused = Files.writeString(file("identity.pass"), "wrong\n");
+    assertClosed("identity.p12 is wrong; correct identity.pass beside it");
+    DriveEffector drive =
+        MemberCalls.listed(team.registrar(ROBOT), DriveEffector.class, "atrv1/drive");
+    assertThatThrownBy(drive::driveState).isInstanceOf(AccessRefusedException.class);
+    assertThatThrownBy(() -> drive.acquireCommandLease(Duration.ofSeconds(5)))
+        .isInstanceOf(AccessRefusedException.class);
+    assertThatThrownBy(() -> drive.setParameter("max_speed", "0.2"))
+        .isInstanceOf(AccessRefusedException.class);
+    assertThat(drive.emergencyStop("somebody").latched()).as("nobody is refused this").isTrue();
+    assertThatThrownBy(() -> drive.releaseEmergencyStop("somebody"))
+        .isInstanceOf(AccessRefusedException.class);
+  }
+
+  @Test
+  @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "one more robot")
+  void theCertificateOfAnotherAuthorityClosesARobot() throws Exception {
+    joined();
+    try (SecureTeam others = new SecureTeam(folder.resolve("others"))) {
+      others.init();
+      Path unused =
+          Files.copy(
+              others.security(ANNA).resolve("authority.pem"),
+              file("authority.pem"),
+              StandardCopyOption.REPLACE_EXISTING);
+    }
+    assertClosed("comes with that of another authority");
+  }
+
+  @Test
+  @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "one more robot")
+  void aPolicyThatNobodyHasSignedClosesARobot() throws Exception {
+    joined();
+    Path unused = Files.writeString(file("policy.xml"), "<policy");
+    assertClosed("the policy's signature is not that of CN=field authority");
+  }
+
+  @Test
+  @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "one more robot")
+  void aKeyThatOthersMayReadClosesARobot() throws Exception {
+    joined();
+    Path unused =
+        Files.setPosixFilePermissions(
+            file("identity.p12"), PosixFilePermissions.fromString("rw-r--r--"));
+    assertClosed("which must be private; type: chmod 600");
+  }
+
+  @Test
+  @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "one more robot")
+  void anExpiredRobotWorksForItselfAndOthersCanOnlyStopIt() throws Exception {
+    Instant past = Instant.now().minus(Duration.ofDays(10));
+    Clock then = Clock.fixed(past, ZoneOffset.UTC);
+    Path authority = privateFolder(team.state(ANNA)).resolve("authority");
+    Authority.create(authority, "field", "open sesame", true, then);
+    try (Authority opened = Authority.open(authority, () -> "", then)) {
+      Authority.IssuedBundle issued = opened.issue(MemberRole.ROBOT, ROBOT, Duration.ofDays(1));
+      new IdentityInstaller(privateFolder(team.state(ROBOT)))
+          .install(
+              VerifiedBundle.open(issued.bundle(), issued.passphrase(), "bundle"),
+              "bundle",
+              past,
+              false);
+    }
+    team.admit("operator", BEN);
+    assertClosed("expired");
+    Outcome call = team.ask(BEN, "module", "call", "atrv1/drive", "driveState", "--wait=3");
+    assertThat(call.exit()).as(call.out() + call.err()).isNotZero();
+    Outcome stranger = team.ask(STRANGER, "module", "call", "atrv1/drive", "driveState");
+    assertThat(stranger.exit()).as(stranger.out() + stranger.err()).isEqualTo(1);
+    assertThat(ok(team.ask(BEN, "stop", ROBOT)).out()).contains("1 effector: 1 stopped.");
+    Outcome release = team.ask(BEN, "stop", ROBOT, "--release");
+    assertThat(release.exit()).as(release.out() + release.err()).isNotZero();
+    ok(team.ask(ROBOT, "stop", ROBOT, "--release"));
+  }
+
+  private static Path privateFolder(Path path) throws Exception {
+    return Files.setPosixFilePermissions(
+        Files.createDirectories(path), PosixFilePermissions.fromString("rwx------"));
+  }
+}

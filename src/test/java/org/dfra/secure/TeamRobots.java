@@ -1,0 +1,71 @@
+package org.dfra.secure;
+
+import java.nio.file.Path;
+import org.dfra.example.thermometer.SteadyThermometerImpl;
+import org.dfra.example.thermometer.ThermometerProxy;
+import org.dfra.example.thermometer.ThermometerServer;
+
+/** Parts of robots' descriptions. */
+final class TeamRobots {
+
+  private TeamRobots() {}
+
+  static String group(String name, String... content) {
+    return "<group name=\"" + name + "\">\n" + String.join("", content) + "</group>\n";
+  }
+
+  /** Its port is filled in by {@link SecureTeam#describe}. */
+  static String registrar() {
+    return "<registrar port=\"%d\" class-server-port=\"off\"/>\n";
+  }
+
+  /** The thermometer {@code warmth}. */
+  static String thermometer(int celsius) {
+    return """
+    <module name="warmth" server="%s" proxy="%s" implementation="%s">
+      <parameter name="celsius" value="%d"/>
+    </module>
+    """
+        .formatted(
+            ThermometerServer.class.getName(),
+            ThermometerProxy.class.getName(),
+            SteadyThermometerImpl.class.getName(),
+            celsius);
+  }
+
+  /** The thermometer {@code warmth} of somebody who counts its calls in a file. */
+  static String counted(Path calls) {
+    return """
+    <module name="warmth" server="%s" proxy="%s" implementation="%s">
+      <parameter name="calls" value="%s"/>
+    </module>
+    """
+        .formatted(
+            ThermometerServer.class.getName(),
+            ThermometerProxy.class.getName(),
+            CountedThermometerImpl.class.getName(),
+            calls);
+  }
+
+  /** The drive {@code drive}, of emulated wheels. */
+  static String drive(String link) {
+    return """
+    <module name="drive" properties="%s/config/modules/rflex-drive.properties">
+      <parameter name="link" value="%s"/>
+    </module>
+    """
+        .formatted(System.getProperty("dfra.root"), link);
+  }
+
+  /** The GPS receiver {@code gps_front}, emulated. */
+  static String gps(String link) {
+    return """
+    <module name="gps_front" server="org.dfra.river.server.sensor.GPSServer"
+        proxy="org.dfra.river.proxy.sensor.GPSProxy"
+        implementation="org.dfra.drivers.gps.m12.M12PlusImpl">
+      <parameter name="link" value="%s"/>
+    </module>
+    """
+        .formatted(link);
+  }
+}
