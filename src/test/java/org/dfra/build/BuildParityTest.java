@@ -102,6 +102,18 @@ class BuildParityTest {
         .contains("sourceSets.test { java.srcDir(\"" + fixtures + "\") }");
   }
 
+  /** The plugin's default is all tables, those of local variables too. */
+  @Test
+  void bothBuildsLeaveLocalVariablesOutOfMainClasses() {
+    String pom = Repository.read(Repository.root().resolve("pom.xml"));
+    assertThat(pom.substring(pom.indexOf("<id>default-compile</id>")))
+        .containsOnlyOnce("<debuglevel>lines,source</debuglevel>");
+    assertThat(Repository.read(Repository.root().resolve("build.gradle.kts")))
+        .contains(
+            "tasks.named<JavaCompile>(\"compileJava\") {"
+                + " options.debugOptions.debugLevel = \"lines,source\" }");
+  }
+
   @Test
   void testsDrawTheSameRandomNumbersInBothBuildsAndInEachRun() {
     String pom = Repository.read(Repository.root().resolve("pom.xml"));

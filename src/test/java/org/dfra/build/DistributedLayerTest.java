@@ -48,6 +48,8 @@ class DistributedLayerTest {
     "org.dfra.river.identity.."
   };
   private static final String[] PHOENIX = {"org.dfra.river.phoenix.."};
+  private static final String[] IDENTITY = {"org.dfra.river.identity.."};
+  private static final String[] SECURITY = {"org.dfra.river.security.."};
   private static final String[] LOADING = {"org.dfra.river.loading.."};
   private static final String JERI_ACTIVATION_ID = "org.dfra.river.phoenix.JeriActivationID";
 
@@ -74,8 +76,18 @@ class DistributedLayerTest {
 
   /** Bring-up starts phoenix; phoenix knows neither bring-up nor servers nor lookup. */
   @Test
-  void phoenixNeedsTheLoadingOfCodeAndWhatAClientDownloadsOnly() {
-    check(PHOENIX, dependsWithinDfraOnlyOn(PHOENIX, join(PHOENIX, LOADING, CLIENT, API, CORE)));
+  void phoenixNeedsItsSecurityTheLoadingOfCodeAndWhatAClientDownloadsOnly() {
+    check(
+        PHOENIX,
+        dependsWithinDfraOnlyOn(PHOENIX, join(PHOENIX, SECURITY, LOADING, CLIENT, API, CORE)));
+  }
+
+  /** Every process of a robot and every command has it, so it knows none of them. */
+  @Test
+  void theSecurityOfAProcessNeedsIdentitiesAndTheTransportOnly() {
+    check(
+        SECURITY,
+        dependsWithinDfraOnlyOn(SECURITY, join(SECURITY, IDENTITY, TRANSPORT, API, CORE)));
   }
 
   @Test

@@ -27,7 +27,11 @@ import org.junit.jupiter.api.io.TempDir;
 /** {@code ./dfra dist}: a robot is brought up from what was unpacked, where nothing can compile. */
 class DistIT {
 
-  private static final long MOST_BYTES = 12_600_000; // 12.35 MB when this was written
+  /**
+   * 12.04 MB when this was written. Without identities, TLS, policies and the audit trail it was
+   * 11.97 MB; with tables of local variables in the main classes it would be 12.38 MB.
+   */
+  private static final long MOST_BYTES = 12_100_000;
 
   @TempDir Path folder;
 

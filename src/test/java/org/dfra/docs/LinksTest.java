@@ -57,7 +57,7 @@ class LinksTest {
    * of a benchmark.
    */
   private static final Set<String> NO_MODULES =
-      Set.of("dfra-demo", "dfra-call", "dfra-app", "dfra-tcp", "dfra-local");
+      Set.of("dfra-demo", "dfra-call", "dfra-app", "dfra-tcp", "dfra-tls", "dfra-local");
 
   @Test
   void everyRelativeLinkLeadsToAFileAndAnHeadingInIt() {

@@ -78,7 +78,7 @@ final class RobotHost implements AutoCloseable {
   /** On a busy machine a registrar may not answer in time: then all is ended, and begun again. */
   private void bringUp(String xml) throws IOException, InterruptedException {
     String state = "--state=" + folder.resolve("state");
-    for (int attempt = 1; dfra("up", xml, "--registry-port=-1", state) != 0; attempt++) {
+    for (int attempt = 1; dfra("up", xml, "--open", "--registry-port=-1", state) != 0; attempt++) {
       String printed = Files.readString(folder.resolve(LOG));
       assertThat(attempt).as(printed).isLessThan(ATTEMPTS);
       assertThat(printed).contains("got no answer within");

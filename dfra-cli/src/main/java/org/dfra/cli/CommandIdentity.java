@@ -3,9 +3,9 @@ package org.dfra.cli;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Consumer;
 import org.dfra.cli.team.PhoenixOptions.StateOption;
 import org.dfra.core.audit.AuditKind.SecurityMode;
-import org.dfra.report.terminal.ConsoleMessages;
 import org.dfra.river.security.SecureProcess;
 
 /** The identity with which a command calls robots: that of its state folder. */
@@ -36,14 +36,15 @@ final class CommandIdentity {
    * Installs it, before anything is called.
    *
    * @param args as they were typed
+   * @param warning receives the reason if others do not believe it
    * @throws IllegalStateException if there is one that cannot be used
    */
-  static void install(String[] args) {
+  static void install(String[] args, Consumer<String> warning) {
     if (args.length > 0 && !args[0].startsWith("-") && !WITHOUT.contains(args[0])) {
       SecureProcess.Installed own =
           SecureProcess.install(SecureProcess.folder(state(List.of(args))), args[0].equals(STOP));
       if (own.mode() == SecurityMode.CLOSED) {
-        System.err.println(ConsoleMessages.prefixed(own.fault()));
+        warning.accept(own.fault());
       }
     }
   }

@@ -125,7 +125,7 @@ public final class Main {
       System.exit(1);
     }
     try {
-      CommandIdentity.install(args);
+      CommandIdentity.install(args, each -> System.err.println(ConsoleMessages.prefixed(each)));
     } catch (IllegalStateException e) {
       System.err.println(ConsoleMessages.prefixed(String.valueOf(e.getMessage())));
       System.exit(1);

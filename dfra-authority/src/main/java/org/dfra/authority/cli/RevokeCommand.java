@@ -95,7 +95,7 @@ final class RevokeCommand implements Callable<Integer> {
     return ExitCode.SUCCESS;
   }
 
-  /** Gives the list to the identity of this computer, which passes it on. */
+  /** Gives the list to the identity of this computer. */
   private boolean updateOwnIdentity(Authority authority) throws IOException, IdentityException {
     Path own = authorities.state().resolve(SecurityFiles.FOLDER);
     Path certificate = own.resolve(SecurityFiles.AUTHORITY);

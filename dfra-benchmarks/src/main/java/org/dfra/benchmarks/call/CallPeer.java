@@ -50,9 +50,18 @@ public enum CallPeer {
               CallPeer::filterEverything,
               (served, folder) -> export(served, tcpOnly(), new DeadlineILFactory()))),
 
+  /** DFRA between the members of a team. */
+  DFRA_TLS(
+      "the same between two members of a team: TLS 1.3, and a policy decides about each call",
+      () ->
+          new SecureTransport(
+              new ProxyTransport(
+                  CallPeer::filterEverything,
+                  (served, folder) -> export(served, tcpOnly(), new DeadlineILFactory())))),
+
   /** DFRA on one computer, if a configuration says so. */
   DFRA_LOCAL(
-      "the same by a Unix-domain socket, if this computer has them",
+      "dfra-tcp by a Unix-domain socket instead, if this computer has them",
       () ->
           new ProxyTransport(
               CallPeer::filterEverything,

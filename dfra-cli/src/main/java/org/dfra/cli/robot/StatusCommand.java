@@ -109,7 +109,7 @@ public final class StatusCommand implements Callable<Integer> {
   private static String security() {
     SecureProcess.Installed own = SecureProcess.current();
     return switch (own.mode()) {
-      case OPEN -> "Open: whatever reaches these robots may call them";
+      case OPEN -> "Open: every program that reaches these robots may call them";
       case SECURE -> "Secure: members of the team only; this computer is " + own.name();
       case CLOSED -> "Closed: " + own.name() + " works for itself only, since " + own.fault();
     };

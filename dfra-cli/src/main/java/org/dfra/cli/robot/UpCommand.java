@@ -80,11 +80,11 @@ public final class UpCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws Exception {
+    PhoenixProcess phoenix = options.lastStarted(); // refuses ports that are none
     List<RobotDescription> robots = robots();
     for (RobotDescription each : robots) {
       RobotSecurity.require(each, open);
     }
-    PhoenixProcess phoenix = options.lastStarted();
     if (!phoenix.isResponding(PhoenixOptions.TIMEOUT)) {
       // Every proxy that reactivates a module contains its address, so other hosts must reach it
       // too.

@@ -58,15 +58,15 @@ import picocli.CommandLine.Spec;
     description = "Emergency: stops all effectors at once. They execute no command until released.",
     footer = {
       "",
-      "It needs no lease and is never refused; the commander loses its command lease. It",
-      "immediately requests the phoenix of each known robot to stop all effectors that it",
-      "runs. It also immediately calls each effector that it finds, and once more if it does",
-      "not answer. It repeats the request to a phoenix that you name, or that this computer",
-      "knows, until it answers or the time of --wait is over. The stop stays in force when a",
-      "process ends. Its release moves nothing and restores no lease. Exits with 0 only if",
-      "every known effector was stopped, with 3 if none is known, with 4 if one did not",
-      "answer or its phoenix does not confirm what its proxy reports. It does not replace the",
-      "robot's own emergency stop."
+      "It needs no lease; the commander loses its command lease. A robot of a team refuses",
+      "it to strangers, any other robot to nobody. It immediately requests the phoenix of",
+      "each known robot to stop all effectors that it runs. It also immediately calls each",
+      "effector that it finds, and once more if it does not answer. It repeats the request",
+      "to a phoenix that you name, or that this computer knows, until it answers or the time",
+      "of --wait is over. The stop stays in force when a process ends. Its release moves",
+      "nothing and restores no lease. Exits with 0 only if every known effector was stopped,",
+      "with 3 if none is known, with 4 if one did not answer or its phoenix does not confirm",
+      "what its proxy reports. It does not replace the robot's own emergency stop."
     })
 public final class StopCommand implements Callable<Integer> {
 

@@ -46,7 +46,7 @@ class PolicyCommandTest {
   void checksThePolicyThatComesWithDfraAndShowsWhoMayDoWhat() {
     assertThat(run("check")).isEqualTo(ExitCode.SUCCESS);
     List<String> lines = out.toString().lines().toList();
-    assertThat(lines.get(0)).isEqualTo("default-policy.xml is valid: policy 0 of field, 10 rules.");
+    assertThat(lines.get(0)).isEqualTo("default-policy.xml is valid: policy 0 of field, 11 rules.");
     assertThat(json("own", "command")).isEqualTo("permit");
     assertThat(json("operator", "command")).isEqualTo("permit");
     assertThat(json("operator", "register")).isEqualTo("deny");

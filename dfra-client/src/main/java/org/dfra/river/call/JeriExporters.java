@@ -46,6 +46,16 @@ public final class JeriExporters {
   }
 
   /**
+   * An exporter whose exported object lets the virtual machine exit.
+   *
+   * @param id the object's ID in its proxies
+   */
+  public static Exporter notKeepingAlive(
+      ServerEndpoint endpoint, InvocationLayerFactory factory, Uuid id) {
+    return new BasicJeriExporter(endpoint, factory, false, false, id);
+  }
+
+  /**
    * Checks an exporter that a configuration names: that it uses no distributed garbage collection
    * and, in a team, that it encrypts and asks the guard.
    *

@@ -18,6 +18,7 @@ import javax.net.ssl.SSLEngine;
 import javax.net.ssl.X509ExtendedTrustManager;
 import org.dfra.security.Caller.Standing;
 import org.dfra.security.Member;
+import org.dfra.text.PrintableText;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -85,7 +86,7 @@ final class MemberTrust extends X509ExtendedTrustManager {
     if (own.contains(leaf.getPublicKey())) {
       return;
     }
-    String name = leaf.getSubjectX500Principal().getName();
+    String name = PrintableText.name(leaf.getSubjectX500Principal().getName()); // not believed yet
     Instant from = leaf.getNotBefore().toInstant();
     Instant now = clock.instant();
     if (now.isBefore(from)) {

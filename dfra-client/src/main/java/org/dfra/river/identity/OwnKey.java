@@ -9,7 +9,7 @@ import javax.net.ssl.SSLEngine;
 import javax.net.ssl.X509ExtendedKeyManager;
 import org.jspecify.annotations.Nullable;
 
-/** Presents one key, whoever asks. */
+/** Presents the same key to every peer. */
 final class OwnKey extends X509ExtendedKeyManager {
 
   private static final String ALIAS = "own";

@@ -18,6 +18,7 @@ import javax.net.ssl.SSLContext;
 import javax.net.ssl.SSLEngine;
 import javax.net.ssl.SSLPeerUnverifiedException;
 import javax.net.ssl.SSLSession;
+import javax.net.ssl.SSLSessionContext;
 import javax.net.ssl.TrustManager;
 import javax.security.auth.Subject;
 import javax.security.auth.x500.X500Principal;
@@ -47,6 +48,9 @@ public final class TeamIdentity implements ChannelIdentity {
   /** The longest time between two full handshakes of a client and a server. */
   private static final int SESSION_SECONDS = 3600;
 
+  /** The most peers whose sessions are kept. */
+  private static final int SESSIONS = 512;
+
   private static final Subject NOBODY = new Subject(true, Set.of(), Set.of(), Set.of());
 
   private final Member member;
@@ -55,6 +59,8 @@ public final class TeamIdentity implements ChannelIdentity {
   private final Guard guard;
   private final RevokedCertificates revoked;
   private final SSLContext context;
+  private final X509Certificate own;
+  private final boolean isIssued; // by the authority; otherwise it is a robot's own key
   private final boolean believesExpired;
 
   /**
@@ -107,25 +113,33 @@ public final class TeamIdentity implements ChannelIdentity {
   public TeamIdentity(Settings settings, Clock clock) throws GeneralSecurityException {
     this.member = settings.member();
     this.guard = settings.guard();
-    this.revoked = settings.revoked();
     this.believesExpired = settings.believesExpired();
     X509Certificate certificate = settings.key().chain().get(0);
+    this.own = certificate;
+    this.isIssued =
+        certificate.getIssuerX500Principal().equals(settings.authority().getSubjectX500Principal());
     Set<Principal> principals = new LinkedHashSet<>(settings.principals());
     principals.add(member);
     principals.add(member.x500());
     principals.add(certificate.getSubjectX500Principal());
     this.subject = new Subject(true, principals, Set.of(certificate), Set.of());
-    Set<PublicKey> own = new HashSet<>(settings.otherOwn());
-    own.add(settings.key().publicKey());
+    Set<PublicKey> ownKeys = new HashSet<>(settings.otherOwn());
+    ownKeys.add(settings.key().publicKey());
+    this.revoked = settings.revoked();
     this.trust =
-        new MemberTrust(settings.authority(), member.team(), own, settings.revoked(), clock);
+        new MemberTrust(settings.authority(), member.team(), ownKeys, settings.revoked(), clock);
     this.context = SSLContext.getInstance("TLSv1.3");
     context.init(
         new KeyManager[] {new OwnKey(settings.key().key(), settings.key().chain())},
         new TrustManager[] {trust},
         null);
-    context.getServerSessionContext().setSessionTimeout(SESSION_SECONDS);
-    context.getClientSessionContext().setSessionTimeout(SESSION_SECONDS);
+    limit(context.getServerSessionContext());
+    limit(context.getClientSessionContext());
+  }
+
+  private static void limit(SSLSessionContext sessions) {
+    sessions.setSessionTimeout(SESSION_SECONDS);
+    sessions.setSessionCacheSize(SESSIONS);
   }
 
   /** Who it is. */
@@ -169,25 +183,37 @@ public final class TeamIdentity implements ChannelIdentity {
       }
       return new Stranger(Caller.stranger(address));
     }
-    Known known = new Known(member(certificate), certificate, address);
-    Standing standing = known.standing();
-    boolean isBelieved =
-        standing == Standing.OWN
-            || standing == Standing.MEMBER
-            || (standing == Standing.EXPIRED && (!isServer || believesExpired));
-    if (!isBelieved) { // a resumed session was checked long ago
+    Known known = new Known(member(certificate), certificate, address, isServer);
+    if (known.isRevoked()) { // a resumed session was checked long ago
       throw new IOException(known.who + " is not called or answered: " + reason(certificate));
     }
     return known;
   }
 
+  private boolean isBelieved(Standing standing, boolean isServer) {
+    return switch (standing) {
+      case OWN, MEMBER -> true;
+      case EXPIRED -> !isServer || believesExpired;
+      case STRANGER -> false;
+    };
+  }
+
   private String reason(X509Certificate certificate) {
-    return trust.isRevoked(certificate)
-        ? "its certificate is revoked"
+    if (isRevoked(certificate)) {
+      return "its certificate is revoked";
+    }
+    return trust.standing(certificate) == Standing.OWN
+        ? "the authority has not issued the certificate of its key, which is for this computer only"
         : "its certificate is valid from "
             + certificate.getNotBefore().toInstant()
             + " until "
             + certificate.getNotAfter().toInstant();
+  }
+
+  /** With this identity's certificate its keys are revoked, whatever certificates they have. */
+  private boolean isRevoked(X509Certificate certificate) {
+    return trust.isRevoked(certificate)
+        || (trust.standing(certificate) == Standing.OWN && trust.isRevoked(own));
   }
 
   /** The key that a robot's processes have among themselves has no name of a member. */
@@ -242,18 +268,24 @@ public final class TeamIdentity implements ChannelIdentity {
     private final X509Certificate certificate;
     private final String address;
     private final boolean isLocal;
+    private final boolean isThisComputer; // which has the whole loopback, also for several robots
+    private final boolean isServer;
     private final Subject subject;
 
-    Known(Member who, X509Certificate certificate, String address) {
+    Known(Member who, X509Certificate certificate, String address, boolean isServer) {
+      this.isServer = isServer;
       this.who = who;
       this.certificate = certificate;
       this.address = address;
       @Nullable InetAddress from = NumericAddress.parse(address);
       this.isLocal = from != null && OwnAddresses.isAlwaysLocal(from);
+      this.isThisComputer = isLocal || (from != null && from.isLoopbackAddress());
       Set<Principal> principals = new LinkedHashSet<>();
       principals.add(who);
       principals.add(who.x500());
-      principals.add(certificate.getSubjectX500Principal());
+      if (trust.standing(certificate) != Standing.OWN) { // who has the own key may write any name
+        principals.add(certificate.getSubjectX500Principal());
+      }
       this.subject = new Subject(true, principals, Set.of(certificate), Set.of());
     }
 
@@ -267,23 +299,29 @@ public final class TeamIdentity implements ChannelIdentity {
 
     @Override
     public Subject subject() {
-      return subject;
+      return standing() == Standing.STRANGER ? NOBODY : subject;
     }
 
-    /** A revoked key may be in other hands: elsewhere it is nobody's. */
     private Standing standing() {
       Standing standing = trust.standing(certificate);
       if (standing == Standing.MEMBER && who.equals(member)) {
         return Standing.OWN; // with the certificate before or after a renewal
       }
-      return standing == Standing.OWN && trust.isRevoked(certificate) && !isLocal
-          ? Standing.STRANGER
-          : standing;
+      return standing != Standing.OWN || isOwnHere() ? standing : Standing.STRANGER;
+    }
+
+    /**
+     * A revoked key may be in other hands: elsewhere it is nobody's. So is a key that the authority
+     * knows nothing of, and cannot revoke: that between a robot's processes.
+     */
+    private boolean isOwnHere() {
+      return (isLocal || !TeamIdentity.this.isRevoked(certificate))
+          && (isThisComputer || (certificate.equals(own) && isIssued));
     }
 
     @Override
     public boolean isRevoked() {
-      return standing() == Standing.STRANGER;
+      return !isBelieved(standing(), isServer);
     }
 
     @Override

@@ -23,6 +23,8 @@ final class AnonymousIdentity implements ChannelIdentity {
 
   private static final Subject NOBODY = new Subject(true, Set.of(), Set.of(), Set.of());
 
+  private static final String[] PROTOCOLS = {"TLSv1.3"};
+
   private final SSLContext context;
 
   private static final class Holder {
@@ -46,6 +48,7 @@ final class AnonymousIdentity implements ChannelIdentity {
   public SSLEngine clientEngine(String host, int port) {
     SSLEngine engine = context.createSSLEngine(host, port);
     engine.setUseClientMode(true);
+    engine.setEnabledProtocols(PROTOCOLS); // the context's own include older ones for clients
     return engine;
   }
 

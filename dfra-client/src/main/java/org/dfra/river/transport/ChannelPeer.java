@@ -9,9 +9,12 @@ public interface ChannelPeer {
   /** What is proved of it now: a revoked or expired certificate proves less than it did. */
   Caller caller();
 
-  /** Its principals; empty if it has no certificate. Read-only. */
+  /** Its principals; empty if it has no certificate, or a revoked one. Read-only. */
   Subject subject();
 
-  /** Whether the connection has to be closed, since its certificate was revoked. */
+  /**
+   * Whether the connection has to be closed: the peer's certificate was revoked, or, if it is the
+   * server, has expired.
+   */
   boolean isRevoked();
 }

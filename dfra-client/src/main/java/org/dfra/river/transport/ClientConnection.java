@@ -104,7 +104,7 @@ final class ClientConnection {
     buffer.clear();
     try {
       link.setBlocking(false);
-      boolean isSilent = link.read(buffer) == 0;
+      boolean isSilent = link.read(buffer) == 0 && link.held() == 0;
       link.setBlocking(true);
       buffer.limit(0);
       return isSilent;

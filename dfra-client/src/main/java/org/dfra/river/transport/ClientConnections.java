@@ -21,6 +21,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import javax.net.ssl.SSLException;
 import net.jini.id.Uuid;
+import org.dfra.river.transport.local.LocalSocket;
+import org.dfra.text.PrintableText;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -311,7 +313,9 @@ final class ClientConnections {
       encrypted.handshake();
     } catch (SSLException e) {
       throw new IOException(
-          key.server + " and " + identity + " do not accept each other: " + e.getMessage(), e);
+          PrintableText.line(
+              key.server + " and " + identity + " do not accept each other: " + e.getMessage()),
+          e);
     }
     return encrypted;
   }

@@ -10,7 +10,11 @@ import java.nio.channels.ClosedSelectorException;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.nio.channels.ServerSocketChannel;
+import java.util.Collections;
+import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Set;
+import java.util.WeakHashMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -49,6 +53,12 @@ final class ConnectionSelector {
   private final ConnectionAcceptor acceptor;
   private long nextCheck = System.nanoTime();
 
+  /** Have received more than was read. */
+  private final Set<SelectionKey> ready = new LinkedHashSet<>();
+
+  /** Whose lists of revoked certificates cause a check. */
+  private final Set<ChannelIdentity> identities = Collections.newSetFromMap(new WeakHashMap<>());
+
   /** The one of this virtual machine. */
   private static final class Holder {
     static final ConnectionSelector INSTANCE = start();
@@ -85,6 +95,10 @@ final class ConnectionSelector {
   void listen(ServerPort port) {
     submit(
         () -> {
+          @Nullable ChannelIdentity identity = port.identity();
+          if (identity != null && identities.add(identity)) {
+            identity.addRevocationListener(this::checkNow);
+          }
           for (ServerSocketChannel each : port.channels()) {
             try {
               each.register(selector, SelectionKey.OP_ACCEPT, port);
@@ -127,9 +141,14 @@ final class ConnectionSelector {
   /** Forgets a connection that is closed. For any thread. */
   void forget(ServerConnection connection) {
     if (connections.remove(connection)) {
-      boolean unused = connection.setPartial(ByteBuffer.allocate(0));
+      connection.forgetPartial();
       limits.giveBack(Resource.CONNECTIONS, connection.link().peer(), 1);
     }
+  }
+
+  /** Connections may be idle for a minute before the next check. For any thread. */
+  private void checkNow() {
+    submit(() -> nextCheck = System.nanoTime());
   }
 
   private void submit(Runnable task) {
@@ -153,11 +172,13 @@ final class ConnectionSelector {
     long rest = nextCheck - System.nanoTime();
     if (connections.isEmpty() && !acceptor.isPaused()) {
       selector.select();
-    } else if (rest > 0) {
+    } else if (rest > 0 && ready.isEmpty()) {
       selector.select(TimeUnit.NANOSECONDS.toMillis(rest) + 1);
     } else {
       selector.selectNow();
     }
+    List<SelectionKey> again = List.copyOf(ready);
+    ready.clear();
     for (@Nullable Runnable task = tasks.poll(); task != null; task = tasks.poll()) {
       task.run();
     }
@@ -165,6 +186,7 @@ final class ConnectionSelector {
       handle(key);
     }
     selector.selectedKeys().clear();
+    again.stream().filter(SelectionKey::isValid).forEach(this::handle);
     long now = System.nanoTime();
     if (now - nextCheck >= 0) {
       nextCheck = now + checkAll(now);
@@ -183,9 +205,10 @@ final class ConnectionSelector {
         continueHandshake(key, connection);
         return;
       }
-      do {
-        read(key, connection);
-      } while (key.isValid() && connection.link().hasReceived());
+      read(key, connection);
+      if (key.isValid() && connection.link().hasReceived()) {
+        ready.add(key); // when the others had their turn
+      }
     } catch (IOException | CancelledKeyException e) {
       LOG.log(Level.DEBUG, () -> "The connection of " + connection.link().peer() + " ended: " + e);
       connection.close();
@@ -214,7 +237,7 @@ final class ConnectionSelector {
         }
       }
       checkSoon();
-      if (connection.link().hasReceived()) {
+      if (connection.link().held() > 0) { // half a request has a limit, too
         handle(key);
       }
     } catch (IOException | CancelledKeyException e) {
@@ -297,13 +320,13 @@ final class ConnectionSelector {
     }
     if (connection.port().isClosed()) {
       endGently(connection);
-    } else if (connection.link().hasReceived()) {
+    } else if (connection.link().held() > 0) { // what came with the end of the handshake
       handle(key);
     }
   }
 
   private void keep(ServerConnection connection) throws IOException {
-    if (!connection.setPartial(scratch)) {
+    if (!connection.keepPartial(scratch)) {
       acceptor.logFull(connection.link().peer() + " has too many unfinished calls; one is refused");
       throw new IOException("too many unfinished calls");
     }
@@ -327,7 +350,7 @@ final class ConnectionSelector {
       }
     }
     State state = connection.state();
-    boolean isIdle = !scratch.hasRemaining();
+    boolean isIdle = !scratch.hasRemaining() && connection.link().held() == 0;
     if (isIdle && state == State.IDLE) {
       return; // it has paused again, which prolongs nothing
     }
@@ -353,7 +376,7 @@ final class ConnectionSelector {
         refuse(connection, true);
         return;
       }
-      boolean unused = connection.setPartial(scratch); // empty now
+      connection.forgetPartial();
       key.cancel();
       connection.link().setBlocking(true);
       workers.execute(connection);
@@ -371,7 +394,7 @@ final class ConnectionSelector {
     if (isTooMuch) {
       acceptor.logFull(connection.link().peer() + " makes too many calls at once; one is refused");
     }
-    boolean unused = connection.setPartial(scratch.limit(0)); // what comes now is discarded
+    connection.forgetPartial(); // what comes now is discarded
     connection.enter(State.IDLE);
     endGently(connection);
   }
@@ -399,7 +422,9 @@ final class ConnectionSelector {
     for (ServerConnection each : connections) {
       @Nullable ChannelPeer client = each.link().partner();
       if (client != null && client.isRevoked()) {
-        LOG.log(Level.INFO, () -> client.caller() + " is cut off: its certificate was revoked");
+        LOG.log(
+            Level.INFO,
+            () -> client + " (" + each.link().peer() + ") is cut off: its certificate was revoked");
         each.close();
         continue;
       }

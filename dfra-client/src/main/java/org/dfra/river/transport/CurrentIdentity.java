@@ -68,6 +68,34 @@ public final class CurrentIdentity {
   }
 
   /**
+   * Serves a call: the endpoints among its arguments get the identity of the called object, not
+   * that of the process, which may have none or be another robot's.
+   *
+   * @param identity of the called object's port; null if its calls are not encrypted
+   */
+  static void runAs(@Nullable ChannelIdentity identity, Runnable body) {
+    @Nullable ChannelIdentity before = OF_THREAD.get();
+    if (identity == null || identity == before || (before == null && identity == ofProcess)) {
+      body.run();
+      return;
+    }
+    OF_THREAD.set(identity);
+    try {
+      body.run();
+    } finally {
+      restore(before);
+    }
+  }
+
+  private static void restore(@Nullable ChannelIdentity before) {
+    if (before == null) {
+      OF_THREAD.remove();
+    } else {
+      OF_THREAD.set(before);
+    }
+  }
+
+  /**
    * Runs with an identity: for robots that share a virtual machine.
    *
    * @return the result
@@ -79,11 +107,7 @@ public final class CurrentIdentity {
     try {
       return body.call();
     } finally {
-      if (before == null) {
-        OF_THREAD.remove();
-      } else {
-        OF_THREAD.set(before);
-      }
+      restore(before);
     }
   }
 

@@ -43,8 +43,7 @@ final class Greeting {
     OTHER_VERSION("it has another version of the transport; use the same release of DFRA"),
     /** It serves encrypted calls only. */
     ENCRYPTED_ONLY(
-        "it serves members of its team only; join the team on this computer"
-            + " (./dfra security join)"),
+        "it serves members of its team only; join the team on this computer (security join)"),
     /** It has no keys, so it cannot encrypt. */
     NOT_ENCRYPTED("it has joined no team, so its calls are not encrypted");
 

@@ -42,6 +42,9 @@ interface Link extends Closeable {
   /** Whether bytes are here that reading returns at once, and the channel no longer announces. */
   boolean hasReceived();
 
+  /** The memory that it occupies for what was received and not read, in bytes. */
+  int held();
+
   /** Who the peer has proved to be; null on a link without encryption. */
   @Nullable ChannelPeer partner();
 

@@ -134,6 +134,11 @@ final class PollingLink implements Link {
   }
 
   @Override
+  public int held() {
+    return link.held();
+  }
+
+  @Override
   public @Nullable ChannelPeer partner() {
     return link.partner();
   }

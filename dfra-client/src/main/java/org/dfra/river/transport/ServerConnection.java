@@ -63,6 +63,7 @@ final class ServerConnection implements Runnable {
   private volatile long requestBegan = since;
 
   private volatile byte[] partial = NOTHING; // the selector's
+  private volatile int kept; // bytes that count as partial, the selector's
   private @Nullable ByteBuffer input; // the worker's, ready to be read from
   private boolean isReceiver; // whether the worker counts as one
   private boolean mayWait; // whether the worker counts as one that may wait
@@ -119,18 +120,37 @@ final class ServerConnection implements Runnable {
     return partial;
   }
 
-  /** Sets what arrived, for the selector. Returns false if it is more than may be kept. */
-  boolean setPartial(ByteBuffer bytes) {
-    int more = bytes.remaining() - partial.length;
+  /**
+   * Keeps what arrived of a greeting or a request, for the selector. What the link holds counts
+   * too.
+   *
+   * @return false if it is more than may be kept
+   */
+  boolean keepPartial(ByteBuffer bytes) {
+    if (!count(bytes.remaining() + link.held())) {
+      return false;
+    }
+    byte[] copy = bytes.hasRemaining() ? new byte[bytes.remaining()] : NOTHING;
+    bytes.get(copy);
+    partial = copy;
+    return true;
+  }
+
+  /** Nothing is kept any more: a worker has it, or it is discarded. */
+  void forgetPartial() {
+    boolean unused = count(0);
+    partial = NOTHING;
+  }
+
+  private boolean count(int bytes) {
+    int more = bytes - kept;
     if (more > 0 && !limits.take(Resource.PARTIAL_BYTES, link.peer(), more)) {
       return false;
     }
     if (more < 0) {
       limits.giveBack(Resource.PARTIAL_BYTES, link.peer(), -more);
     }
-    byte[] kept = bytes.hasRemaining() ? new byte[bytes.remaining()] : NOTHING;
-    bytes.get(kept);
-    partial = kept;
+    kept = bytes;
     return true;
   }
 
@@ -252,7 +272,7 @@ final class ServerConnection implements Runnable {
     }
     enter(State.EXECUTING);
     TransportTraffic.countCallServed();
-    port.dispatcher().dispatch(call);
+    CurrentIdentity.runAs(port.identity(), () -> port.dispatcher().dispatch(call));
     boolean unused = Thread.interrupted(); // an object may leave it set; it would close the channel
     if (!call.isAnswered()) {
       return false; // the dispatcher has aborted it

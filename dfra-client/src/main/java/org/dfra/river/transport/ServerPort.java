@@ -10,6 +10,9 @@ import java.util.List;
 import net.jini.id.Uuid;
 import net.jini.id.UuidFactory;
 import net.jini.jeri.RequestDispatcher;
+import org.dfra.river.transport.local.ComputerId;
+import org.dfra.river.transport.local.LocalSocket;
+import org.dfra.river.transport.local.SocketFolder;
 import org.jspecify.annotations.Nullable;
 
 /** One port that is listened on, with its local socket; its requests have one dispatcher. */

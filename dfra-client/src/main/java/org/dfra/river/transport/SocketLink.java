@@ -13,6 +13,7 @@ import java.util.Collection;
 import jdk.net.ExtendedSocketOptions;
 import jdk.net.UnixDomainPrincipal;
 import net.jini.io.context.ClientHost;
+import org.dfra.river.transport.local.LocalUser;
 import org.jspecify.annotations.Nullable;
 
 /** A link without encryption: a TCP connection, or one of a Unix-domain socket. */
@@ -100,6 +101,11 @@ final class SocketLink implements Link {
   @Override
   public boolean hasReceived() {
     return false;
+  }
+
+  @Override
+  public int held() {
+    return 0;
   }
 
   @Override

@@ -2,6 +2,7 @@ package org.dfra.river.transport;
 
 import java.io.EOFException;
 import java.io.IOException;
+import java.lang.System.Logger.Level;
 import java.net.InetAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.SelectableChannel;
@@ -24,10 +25,29 @@ import org.jspecify.annotations.Nullable;
  */
 final class TlsLink implements Link {
 
+  private static final System.Logger LOG = System.getLogger(TlsLink.class.getName());
+
   private static final ByteBuffer NOTHING = ByteBuffer.allocate(0);
 
-  /** The most data that a peer may send before its handshake is over, in bytes. */
-  private static final int MAX_HANDSHAKE = 64 * 1024;
+  /**
+   * The most data that a peer may send before its handshake is over, in bytes. A handshake has less
+   * than 8 KiB; the first request may follow it in the same packets.
+   */
+  private static final int MAX_HANDSHAKE = 32 * 1024;
+
+  /** The size of a record's header, in bytes; the last two are the length of what follows. */
+  private static final int HEADER_BYTES = 5;
+
+  private static final int LENGTH_AT = 3;
+
+  /**
+   * So many records without data a peer may send after the handshake, such as tickets and requests
+   * for new keys, and one more for each {@value #DATA_FOR_SILENT} records with data. JSSE itself
+   * sends two tickets at most, and new keys after 128 GiB.
+   */
+  private static final int MAX_SILENT = 32;
+
+  private static final int DATA_FOR_SILENT = 1024;
 
   private final Link link;
   private final SSLEngine engine;
@@ -35,6 +55,8 @@ final class TlsLink implements Link {
   private final boolean isServer;
   private boolean blocking;
   private int handshakeBytes;
+  private long silentRecords;
+  private long dataRecords;
 
   private @Nullable ByteBuffer sealed; // received and not decrypted, ready to be appended to
   private @Nullable ByteBuffer open; // decrypted and not read, ready to be read from
@@ -82,8 +104,30 @@ final class TlsLink implements Link {
    * @throws IOException if it failed, or the peer is not believed
    */
   boolean advance() throws IOException {
+    try {
+      return advanced();
+    } catch (SSLException e) {
+      sayWhy();
+      throw e;
+    } finally {
+      freeEmpty();
+    }
+  }
+
+  /** Sends the alert that says why this end gives up, if there is one. */
+  private void sayWhy() {
+    try {
+      if (engine.getHandshakeStatus() == HandshakeStatus.NEED_WRAP) {
+        boolean unused = isSent(NOTHING);
+      }
+    } catch (IOException e) {
+      LOG.log(Level.TRACE, "A peer does not learn why a handshake failed.", e);
+    }
+  }
+
+  private boolean advanced() throws IOException {
     if (engine.getHandshakeStatus() == HandshakeStatus.NOT_HANDSHAKING && partner == null) {
-      engine.beginHandshake();
+      begin();
     }
     while (true) {
       HandshakeStatus next = engine.getHandshakeStatus();
@@ -107,15 +151,48 @@ final class TlsLink implements Link {
     }
   }
 
+  private void begin() throws IOException {
+    try {
+      engine.beginHandshake();
+    } catch (RuntimeException e) {
+      throw failed(e);
+    }
+  }
+
+  /** Whatever a peer makes JSSE throw ends this connection only. */
+  private static SSLException failed(RuntimeException e) {
+    return new SSLException("TLS failed: " + e, e);
+  }
+
   private String address() {
     return link.peer().address().getHostAddress();
   }
 
-  private void runTasks() {
-    for (Runnable task = engine.getDelegatedTask();
-        task != null;
-        task = engine.getDelegatedTask()) {
-      task.run();
+  private void runTasks() throws SSLException {
+    try {
+      for (Runnable task = engine.getDelegatedTask();
+          task != null;
+          task = engine.getDelegatedTask()) {
+        task.run();
+      }
+    } catch (RuntimeException e) {
+      throw failed(e);
+    }
+  }
+
+  private SSLEngineResult unwrap(ByteBuffer from, ByteBuffer to) throws SSLException {
+    try {
+      return engine.unwrap(from, to);
+    } catch (RuntimeException e) {
+      throw failed(e);
+    }
+  }
+
+  private SSLEngineResult wrap(ByteBuffer from, ByteBuffer to) throws SSLException {
+    try {
+      return engine.wrap(from, to);
+    } catch (RuntimeException e) {
+      throw failed(e);
     }
   }
 
@@ -125,7 +202,7 @@ final class TlsLink implements Link {
     from.flip();
     SSLEngineResult result;
     try {
-      result = engine.unwrap(from, NOTHING);
+      result = unwrap(from, NOTHING);
     } finally {
       from.compact();
     }
@@ -147,12 +224,30 @@ final class TlsLink implements Link {
 
   /** Receives more of what is encrypted. Returns the number of bytes, 0 if there are none now. */
   private int receive() throws IOException {
-    ByteBuffer into = sealed();
-    int count = link.read(into);
+    int count = receiveMore();
     if (count < 0) {
       throw new EOFException("the peer has closed the connection");
     }
     return count;
+  }
+
+  /** As reading the other link does. */
+  private int receiveMore() throws IOException {
+    ByteBuffer into = sealed();
+    if (!into.hasRemaining()) {
+      throw new SSLException("a record is longer than TLS allows");
+    }
+    return link.read(into);
+  }
+
+  /** Whether a whole record has been received, or the beginning of one that is too long. */
+  private boolean hasRecord() {
+    ByteBuffer received = sealed;
+    if (received == null || received.position() < HEADER_BYTES) {
+      return false;
+    }
+    int length = HEADER_BYTES + (received.getShort(LENGTH_AT) & 0xffff);
+    return received.position() >= length || length > received.capacity();
   }
 
   private ByteBuffer sealed() {
@@ -173,24 +268,30 @@ final class TlsLink implements Link {
     }
   }
 
+  /** Reads the data of one record at most, so that a peer that sends many gets no more turns. */
   @Override
   public int read(ByteBuffer into) throws IOException {
+    int count = readRecord(into);
+    if (!blocking || count < 0) {
+      freeEmpty();
+    }
+    return count;
+  }
+
+  private int readRecord(ByteBuffer into) throws IOException {
     while (true) {
       int count = takeDecrypted(into);
-      if (count > 0) {
+      if (count > 0 || !into.hasRemaining()) {
         return count;
       }
-      if (!into.hasRemaining()) {
-        return 0;
-      }
-      count = decrypt(into);
-      if (count != 0) {
-        return count;
-      }
-      if (open == null) { // more bytes are needed
-        int received = link.read(sealed());
+      if (hasRecord()) {
+        count = decrypt(into);
+        if (count != 0) {
+          return count;
+        }
+      } else {
+        int received = receiveMore();
         if (received <= 0) {
-          freeEmpty();
           return received;
         }
       }
@@ -216,39 +317,48 @@ final class TlsLink implements Link {
   /**
    * Decrypts the next record, into the given buffer if it fits, otherwise aside.
    *
-   * @return number of bytes in the given buffer; -1 at the end
+   * @return number of bytes in the given buffer, 0 if it had no data or they are aside; -1 at the
+   *     end
    */
   private int decrypt(ByteBuffer into) throws IOException {
-    while (true) {
-      ByteBuffer from = sealed();
-      if (from.position() == 0) {
-        return 0;
+    ByteBuffer from = sealed();
+    from.flip();
+    int before = into.position();
+    SSLEngineResult result;
+    try {
+      result = unwrap(from, into);
+      if (result.getStatus() == SSLEngineResult.Status.BUFFER_OVERFLOW) {
+        result = decryptAside(from);
       }
-      from.flip();
-      int before = into.position();
-      SSLEngineResult result;
-      try {
-        result = engine.unwrap(from, into);
-        if (result.getStatus() == SSLEngineResult.Status.BUFFER_OVERFLOW) {
-          result = decryptAside(from);
-        }
-      } finally {
-        from.compact();
-      }
-      answerIfNeeded();
-      if (result.getStatus() == SSLEngineResult.Status.CLOSED) {
-        return -1;
-      }
-      int count = into.position() - before;
-      if (count > 0 || open != null || result.getStatus() != SSLEngineResult.Status.OK) {
-        return count;
-      }
+    } finally {
+      from.compact();
+    }
+    answerIfNeeded();
+    if (result.getStatus() == SSLEngineResult.Status.CLOSED) {
+      return -1;
+    } else if (result.getStatus() != SSLEngineResult.Status.OK) {
+      throw new SSLException("a record is longer than TLS allows");
+    }
+    int count = into.position() - before;
+    countRecord(count > 0 || open != null);
+    return count;
+  }
+
+  /** Each request for new keys costs this end as much as many calls. */
+  private void countRecord(boolean hasData) throws SSLException {
+    if (hasData) {
+      dataRecords++;
+      return;
+    }
+    silentRecords++;
+    if (silentRecords > MAX_SILENT + dataRecords / DATA_FOR_SILENT) {
+      throw new SSLException("the peer sends records without data");
     }
   }
 
   private SSLEngineResult decryptAside(ByteBuffer from) throws IOException {
     ByteBuffer aside = TlsBuffers.take();
-    SSLEngineResult result = engine.unwrap(from, aside);
+    SSLEngineResult result = unwrap(from, aside);
     if (result.getStatus() == SSLEngineResult.Status.BUFFER_OVERFLOW) {
       throw new SSLException("a record is longer than TLS allows");
     }
@@ -294,8 +404,10 @@ final class TlsLink implements Link {
     ByteBuffer to = leaving;
     if (to == null) {
       to = TlsBuffers.take();
-      SSLEngineResult result = engine.wrap(from, to);
-      if (result.getStatus() != SSLEngineResult.Status.OK) {
+      SSLEngineResult result = wrap(from, to);
+      boolean isAlert = result.getStatus() == SSLEngineResult.Status.CLOSED && from == NOTHING;
+      if ((result.getStatus() != SSLEngineResult.Status.OK && !isAlert)
+          || result.bytesProduced() == 0) {
         throw new SSLException("nothing more can be encrypted: " + result.getStatus());
       }
       to.flip();
@@ -311,10 +423,15 @@ final class TlsLink implements Link {
     return true;
   }
 
-  /** Whether bytes of the peer are here that the channel does not announce any more. */
+  /** Half a record does not count: its rest will be announced. */
   @Override
   public boolean hasReceived() {
-    return open != null || (sealed != null && sealed.position() > 0);
+    return open != null || hasRecord();
+  }
+
+  @Override
+  public int held() {
+    return (sealed == null ? 0 : sealed.capacity()) + (open == null ? 0 : open.capacity());
   }
 
   @Override

@@ -13,6 +13,7 @@ import net.jini.jeri.OutboundRequestIterator;
 import net.jini.security.proxytrust.TrustEquivalence;
 import org.dfra.river.access.NumericAddress;
 import org.dfra.river.access.OwnAddresses;
+import org.dfra.river.transport.local.LocalSocket;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -18,6 +18,8 @@ import java.util.Objects;
 import java.util.stream.Stream;
 import net.jini.id.UuidFactory;
 import net.jini.jeri.ServerEndpoint;
+import org.dfra.river.transport.local.ComputerId;
+import org.dfra.river.transport.local.LocalSocket;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 

@@ -45,6 +45,11 @@ final class RecordingServer implements AutoCloseable {
     return new RecordingServer(endpoint(identity));
   }
 
+  /** One that encrypts, at a port. */
+  static RecordingServer at(int port, ChannelIdentity identity) {
+    return new RecordingServer(with(identity, () -> new TransportServerEndpoint(HOST, port)));
+  }
+
   /** One that does not encrypt. */
   static RecordingServer open() {
     return new RecordingServer(new TransportServerEndpoint(HOST, 0));

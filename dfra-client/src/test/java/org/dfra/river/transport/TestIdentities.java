@@ -46,12 +46,23 @@ final class TestIdentities {
     return identity(role, name, authority.issue(new Member("field", role, name)), guard);
   }
 
-  /** An identity that presents any certificate, whoever has issued it. */
+  /** An identity that presents any certificate, of any issuer. */
   TeamIdentity of(MemberRole role, String name, Issued issued) {
     return identity(role, name, issued, request -> Decision.permit("all"));
   }
 
+  /** An identity with a clock of its own. */
+  TeamIdentity withClock(MemberRole role, String name, Clock clock) {
+    Issued issued = authority.issue(new Member("field", role, name));
+    return identity(role, name, issued, request -> Decision.permit("all"), clock);
+  }
+
   private TeamIdentity identity(MemberRole role, String name, Issued issued, Guard guard) {
+    return identity(role, name, issued, guard, Clock.systemUTC());
+  }
+
+  private TeamIdentity identity(
+      MemberRole role, String name, Issued issued, Guard guard, Clock clock) {
     try {
       return new TeamIdentity(
           new TeamIdentity.Settings(
@@ -63,7 +74,7 @@ final class TestIdentities {
               revoked,
               guard,
               false),
-          Clock.systemUTC());
+          clock);
     } catch (GeneralSecurityException e) {
       throw new IllegalStateException(e);
     }

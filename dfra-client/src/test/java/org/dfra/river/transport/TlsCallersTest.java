@@ -160,7 +160,7 @@ class TlsCallersTest {
     assertThatThrownBy(() -> call(plain))
         .hasMessageEndingWith(
             "refuses a connection: it serves members of its team only; join the team on this"
-                + " computer (./dfra security join)");
+                + " computer (security join)");
     try (RecordingServer open = RecordingServer.open()) {
       assertThatThrownBy(() -> call(open.from(operator)))
           .hasMessageEndingWith(

@@ -27,6 +27,7 @@ import org.dfra.river.identity.RobotAlone;
 import org.dfra.river.identity.TeamCredentials;
 import org.dfra.river.identity.TeamCredentials.RobotKey;
 import org.dfra.river.identity.TeamIdentity;
+import org.dfra.river.security.news.TeamNews;
 import org.dfra.security.AccessRequest;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
@@ -41,6 +42,7 @@ final class ProcessIdentity {
   private final PolicyGuard policy;
   private final ReplaceableGuard guard;
   private final X509Certificate authority;
+  private final boolean isClosed;
   private volatile @Nullable AuditTrail audit;
 
   private ProcessIdentity(
@@ -48,7 +50,9 @@ final class ProcessIdentity {
       RevokedCertificates revoked,
       PolicyGuard policy,
       ReplaceableGuard guard,
-      X509Certificate authority) {
+      X509Certificate authority,
+      boolean isClosed) {
+    this.isClosed = isClosed;
     this.identity = identity;
     this.revoked = revoked;
     this.policy = policy;
@@ -99,7 +103,8 @@ final class ProcessIdentity {
                 asked,
                 believesExpired),
             clock);
-    return new ProcessIdentity(identity, revoked, guard, asked, credentials.authority());
+    return new ProcessIdentity(
+        identity, revoked, guard, asked, credentials.authority(), mode == SecurityMode.CLOSED);
   }
 
   /**
@@ -125,7 +130,7 @@ final class ProcessIdentity {
                 asked,
                 false),
             clock);
-    return new ProcessIdentity(identity, revoked, guard, asked, robot.authority());
+    return new ProcessIdentity(identity, revoked, guard, asked, robot.authority(), true);
   }
 
   /** The transport has it before the audit trail is there. */
@@ -167,6 +172,16 @@ final class ProcessIdentity {
     if (trail != null) {
       trail.record(event);
     }
+  }
+
+  /** Whether it has the closed policy, which no other one replaces. */
+  boolean isClosed() {
+    return isClosed;
+  }
+
+  /** What is in force. */
+  TeamNews.Numbers numbers() {
+    return new TeamNews.Numbers(revoked.number().longValue(), policy.policy().version());
   }
 
   TeamIdentity identity() {

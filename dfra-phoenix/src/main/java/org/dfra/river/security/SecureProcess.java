@@ -8,6 +8,7 @@ import java.time.Clock;
 import java.time.Instant;
 import java.time.InstantSource;
 import java.util.Objects;
+import java.util.Optional;
 import org.dfra.core.audit.AuditEvent;
 import org.dfra.core.audit.AuditKind.SecurityMode;
 import org.dfra.core.audit.AuditSettings;
@@ -16,6 +17,7 @@ import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.IdentityFolder;
 import org.dfra.river.identity.SecurityFiles;
 import org.dfra.river.identity.TeamCredentials;
+import org.dfra.river.security.news.NewsExchange;
 import org.dfra.river.transport.CurrentIdentity;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -53,6 +55,8 @@ public final class SecureProcess {
 
   @GuardedBy("SecureProcess.class")
   private static @Nullable ProcessIdentity identity;
+
+  private static volatile @Nullable NewsExchange news;
 
   private SecureProcess() {}
 
@@ -120,7 +124,15 @@ public final class SecureProcess {
     identity = made;
     CurrentIdentity.setForProcess(made.identity());
     SecurityWatch.start(folder, made);
+    if (mode == SecurityMode.SECURE) {
+      news = new NewsExchange(folder, made.authority(), made::numbers);
+    }
     return new Installed(mode, made.identity().member().toString(), made.identity().robot(), fault);
+  }
+
+  /** Exchanges news of the authority with others; empty if this process is not secure. */
+  public static Optional<NewsExchange> news() {
+    return Optional.ofNullable(news);
   }
 
   /** Why nobody else would believe this member; empty if they do. */

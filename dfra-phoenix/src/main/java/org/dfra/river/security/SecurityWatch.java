@@ -107,7 +107,7 @@ final class SecurityWatch implements Runnable {
 
   private void lookAtPolicy() {
     List<Object> now = state(policyFile);
-    if (now.isEmpty() || now.equals(policyState)) {
+    if (identity.isClosed() || now.isEmpty() || now.equals(policyState)) {
       return;
     }
     policyState = now;

@@ -31,9 +31,12 @@ import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
 import net.jini.export.Exporter;
 import org.dfra.river.call.CallThreads;
+import org.dfra.river.call.PeerAddress;
 import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.entry.ModuleEntry;
 import org.dfra.river.loading.LoadingFaults;
+import org.dfra.river.proxy.ModuleProxy;
+import org.dfra.river.security.SecureProcess;
 import org.dfra.security.AccessRefusedException;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -98,6 +101,7 @@ final class RegistrarMonitor implements AutoCloseable {
   private static final int BEATS_WITHOUT_EVENTS = 5;
 
   private volatile boolean silent;
+  private List<PeerAddress> neighbours = List.of(); // by the worker
   private final Map<ServiceID, String> faults = new HashMap<>(); // of proxies; by the worker
   private @Nullable RemoteEventListener stub; // by the worker
   private @Nullable EventRegistration registration; // by the worker
@@ -287,6 +291,7 @@ final class RegistrarMonitor implements AutoCloseable {
     }
     lookup(new ServiceTemplate(null, new Class<?>[] {ServiceRegistrar.class}, null), items);
     locate();
+    neighbours = neighbours(items.values());
     faults.keySet().retainAll(items.keySet());
     // Publish usable services before the search for faults of the others.
     serviceTable.replaceAll(identity, items.values(), faults);
@@ -298,7 +303,22 @@ final class RegistrarMonitor implements AutoCloseable {
     comparisons = 0;
     isOtherCount = false;
     read = true;
+    SecureProcess.news().ifPresent(news -> neighbours.forEach(news::with));
     reader.run();
+  }
+
+  /** A process of each robot: what one has is shared by all processes of its robot. */
+  private static List<PeerAddress> neighbours(Collection<ServiceItem> items) {
+    Map<String, PeerAddress> processes = new HashMap<>();
+    for (ServiceItem item : items) {
+      if (item.service instanceof ModuleProxy<?> module) {
+        @Nullable PeerAddress address = PeerAddress.of(module.server());
+        if (address != null) {
+          processes.putIfAbsent(module.identification().robot(), address);
+        }
+      }
+    }
+    return List.copyOf(processes.values());
   }
 
   /** How many services it holds. */
@@ -417,6 +437,7 @@ final class RegistrarMonitor implements AutoCloseable {
 
   /** Sends a heartbeat, which renews the event lease. */
   private void beat() throws RemoteException {
+    SecureProcess.news().ifPresent(news -> neighbours.forEach(news::with));
     EventRegistration known = registration;
     if (known == null) {
       return;

@@ -1,4 +1,4 @@
-package org.dfra.river.transport;
+package org.dfra.river.transport.local;
 
 import java.io.IOException;
 import java.lang.System.Logger.Level;
@@ -10,12 +10,12 @@ import java.nio.file.Path;
  * Two containers or simulated robots on one computer differ in the latter. Empty where this Java or
  * the operating system does not provide what local sockets need.
  */
-final class ComputerId {
+public final class ComputerId {
 
   private static final System.Logger LOG = System.getLogger(ComputerId.class.getName());
 
   /** This computer's; empty if local sockets are not used. */
-  static final String OWN = read();
+  public static final String OWN = read();
 
   private ComputerId() {}
 

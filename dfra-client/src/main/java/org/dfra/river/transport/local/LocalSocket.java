@@ -1,4 +1,4 @@
-package org.dfra.river.transport;
+package org.dfra.river.transport.local;
 
 import java.nio.file.Path;
 import java.util.Objects;
@@ -11,12 +11,12 @@ import net.jini.id.Uuid;
  * @param path of the socket
  * @param server ID of the server, which the greeting names: two computers may have equal paths
  */
-record LocalSocket(String computer, String path, Uuid server) {
+public record LocalSocket(String computer, String path, Uuid server) {
 
   /** The longest path, in bytes, that the operating system accepts. */
-  static final int MAX_PATH_BYTES = 107;
+  public static final int MAX_PATH_BYTES = 107;
 
-  LocalSocket {
+  public LocalSocket {
     Objects.requireNonNull(computer, "computer");
     Objects.requireNonNull(path, "path");
     Objects.requireNonNull(server, "server");
@@ -31,7 +31,7 @@ record LocalSocket(String computer, String path, Uuid server) {
   }
 
   /** Whether this program runs on the server's computer. */
-  boolean isHere() {
+  public boolean isHere() {
     return !computer.isEmpty() && computer.equals(ComputerId.OWN);
   }
 }

@@ -1,4 +1,4 @@
-package org.dfra.river.transport;
+package org.dfra.river.transport.local;
 
 import java.io.IOException;
 import java.lang.System.Logger.Level;
@@ -26,7 +26,7 @@ import org.jspecify.annotations.Nullable;
  * the folder of the system property {@value #PROPERTY}, or else in {@code /tmp}, since paths of
  * sockets must be short.
  */
-final class SocketFolder {
+public final class SocketFolder {
 
   private static final System.Logger LOG = System.getLogger(SocketFolder.class.getName());
 
@@ -44,7 +44,7 @@ final class SocketFolder {
    * @param server names the file
    * @return null if this operating system or folder has no such sockets
    */
-  static @Nullable ServerSocketChannel listen(Uuid server, int backlog) {
+  public static @Nullable ServerSocketChannel listen(Uuid server, int backlog) {
     if (ComputerId.OWN.isEmpty()) {
       return null;
     }
@@ -75,12 +75,12 @@ final class SocketFolder {
   }
 
   /** The path of a listening socket. */
-  static String path(ServerSocketChannel channel) throws IOException {
+  public static String path(ServerSocketChannel channel) throws IOException {
     return String.valueOf(channel.getLocalAddress());
   }
 
   /** Deletes the file of a socket that was listened on. */
-  static void delete(String path) {
+  public static void delete(String path) {
     try {
       Files.deleteIfExists(Path.of(path));
     } catch (IOException e) {

@@ -1,4 +1,4 @@
-package org.dfra.river.transport;
+package org.dfra.river.transport.local;
 
 /**
  * An element of a call's server context: the user of this computer that runs the calling process,
