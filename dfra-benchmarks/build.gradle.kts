@@ -1,7 +1,7 @@
 dependencies {
     api(project(":dfra-experiments"))
     // What ./dfra runs in a checkout is the class path of this module: it has all verbs.
-    runtimeOnly(project(":dfra-authority"))
+    implementation(project(":dfra-authority"))
     compileOnly(project(":dfra-activation"))
     testCompileOnly(project(":dfra-activation"))
     implementation(rootProject.libs.commons.statistics.inference)

@@ -84,10 +84,10 @@ class DistributedLayerTest {
 
   /** Every process of a robot and every command has it, so it knows none of them. */
   @Test
-  void theSecurityOfAProcessNeedsIdentitiesAndTheTransportOnly() {
+  void theSecurityOfAProcessNeedsIdentitiesTheTransportAndCallsOnly() {
     check(
         SECURITY,
-        dependsWithinDfraOnlyOn(SECURITY, join(SECURITY, IDENTITY, TRANSPORT, API, CORE)));
+        dependsWithinDfraOnlyOn(SECURITY, join(SECURITY, IDENTITY, TRANSPORT, CALL, API, CORE)));
   }
 
   @Test
