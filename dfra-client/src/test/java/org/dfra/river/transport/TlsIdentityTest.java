@@ -290,7 +290,7 @@ class TlsIdentityTest {
   }
 
   @Test
-  void anotherServerAtTheSamePortIsAuthenticatedAnew() throws IOException {
+  void anotherServerAtTheSamePortIsAuthenticatedAgain() throws IOException {
     ChannelIdentity operator = team.of(MemberRole.OPERATOR, "anna");
     int port;
     try (RecordingServer first = RecordingServer.as(team.of(MemberRole.ROBOT, "atrv1"))) {
