@@ -50,12 +50,17 @@ class DistributedLayerTest {
   private static final String[] PHOENIX = {"org.dfra.river.phoenix.."};
   private static final String[] IDENTITY = {"org.dfra.river.identity.."};
   private static final String[] SECURITY = {"org.dfra.river.security.."};
+
+  /** With the activation API that the JDK no longer has. */
+  private static final String[] BOOT_PATH = {"org.dfra.activation.."};
+
   private static final String[] LOADING = {"org.dfra.river.loading.."};
   private static final String JERI_ACTIVATION_ID = "org.dfra.river.phoenix.JeriActivationID";
 
   @Test
   void theDistributedLayerNeedsTheApiAndCoreOnly() {
-    check(DISTRIBUTED, dependsWithinDfraOnlyOn(DISTRIBUTED, join(DISTRIBUTED, API, CORE)));
+    check(
+        DISTRIBUTED, dependsWithinDfraOnlyOn(DISTRIBUTED, join(DISTRIBUTED, BOOT_PATH, API, CORE)));
   }
 
   /** A client downloads it, and has River and the API's jar beside it. */
@@ -79,7 +84,8 @@ class DistributedLayerTest {
   void phoenixNeedsItsSecurityTheLoadingOfCodeAndWhatAClientDownloadsOnly() {
     check(
         PHOENIX,
-        dependsWithinDfraOnlyOn(PHOENIX, join(PHOENIX, SECURITY, LOADING, CLIENT, API, CORE)));
+        dependsWithinDfraOnlyOn(
+            PHOENIX, join(PHOENIX, SECURITY, LOADING, BOOT_PATH, CLIENT, API, CORE)));
   }
 
   /** Every process of a robot and every command has it, so it knows none of them. */

@@ -106,8 +106,11 @@ class ClosedRobotIT {
     DriveEffector own = itself.find(team.registrar(ROBOT), DriveEffector.class, "atrv1/drive");
     assertThatThrownBy(() -> MemberCalls.registrar(team.registrar(ROBOT)).lookup(ALL, 8))
         .isInstanceOf(AccessRefusedException.class);
+    team.admit("operator", BEN);
+    Outcome stop = team.dfra(BEN, "stop", ROBOT, "--team=", "--host=127.0.0.1", phoenix());
+    assertThat(itself.call(own::emergencyStopState).latched()).as("%s", stop).isTrue();
+    assertThat(stop.out()).as("nobody knows who has answered").contains("DOUBTFUL");
     ok(team.dfra(ROBOT, "stop", ROBOT, "--team=", "--host=127.0.0.1", phoenix()));
-    assertThat(itself.call(own::emergencyStopState).latched()).isTrue();
   }
 
   @Test

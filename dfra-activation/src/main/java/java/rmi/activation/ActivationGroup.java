@@ -16,6 +16,7 @@ import java.rmi.ServerException;
 import java.rmi.registry.LocateRegistry;
 import java.rmi.server.RMIClassLoader;
 import java.rmi.server.UnicastRemoteObject;
+import org.dfra.activation.GroupPorts;
 
 /**
  * Constructs activatable objects in its JVM and reports to the daemon which are active. There is
@@ -54,8 +55,6 @@ public abstract class ActivationGroup extends UnicastRemoteObject
    */
   private final ActivationGroupID groupID;
 
-  private final transient LoopbackSocketFactory loopback;
-
   /**
    * @serial the monitor to which it reports its objects; null until the system knows the group, and
    *     if the system returned none
@@ -81,25 +80,10 @@ public abstract class ActivationGroup extends UnicastRemoteObject
   private ActivationGroup(ActivationGroupID groupID, LoopbackSocketFactory loopback)
       throws RemoteException {
     super(0, loopback, loopback);
-    this.loopback = loopback;
+    GroupPorts.opened(this, loopback::close);
     this.groupID = groupID;
     if (Thread.holdsLock(ActivationGroup.class)) {
       exported = this;
-    }
-  }
-
-  /**
-   * Ends the export that the constructor made, for a group that is exported by another transport.
-   * To unexport the group is not enough: its port would go on to serve the garbage collection of
-   * JRMP, to everybody on this computer.
-   *
-   * @throws NoSuchObjectException if it has ended already
-   */
-  protected final void endJrmpExport() throws NoSuchObjectException {
-    try {
-      boolean unused = UnicastRemoteObject.unexportObject(this, true);
-    } finally {
-      loopback.close();
     }
   }
 

@@ -1,8 +1,8 @@
 /**
  * Puts {@code java.rmi.activation} on the boot class path, the only place where it may be defined.
  *
- * <p>Start at {@link org.dfra.activation.BootPathAgent}, which the manifest of this jar names. It
- * is the only public type.
+ * <p>Start at {@link org.dfra.activation.BootPathAgent}, which the manifest of this jar names.
+ * {@link org.dfra.activation.GroupPorts} closes what a group has opened.
  */
 @NullMarked
 package org.dfra.activation;

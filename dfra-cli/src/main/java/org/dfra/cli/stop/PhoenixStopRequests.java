@@ -15,6 +15,8 @@ import org.dfra.cli.stop.PhoenixAddresses.Address;
 import org.dfra.cli.stop.PhoenixAddresses.Origin;
 import org.dfra.river.call.ConnectionRefusal;
 import org.dfra.river.phoenix.stop.StopReport;
+import org.dfra.river.transport.CurrentIdentity;
+import org.dfra.river.transport.ServerNotAcceptedException;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -56,6 +58,7 @@ final class PhoenixStopRequests {
     final Origin origin;
     final StopRequest order;
     final List<StopReport> reports = new ArrayList<>(); // guarded by the outer object
+    boolean isAuthenticated = true; // as far as the mode can know; guarded by the outer object
     CompletableFuture<ResponseKind> last = new CompletableFuture<>(); // guarded by the outer object
 
     PhoenixRequest(Address address, Origin origin, StopRequest order) {
@@ -130,23 +133,47 @@ final class PhoenixStopRequests {
     return CompletableFuture.supplyAsync(
             () -> {
               try {
-                @Nullable StopReport report = one.order.stop();
-                if (report == null) {
-                  return ResponseKind.ABSENT;
-                }
-                synchronized (this) { // also one that arrives after the wait
-                  one.reports.add(report);
-                }
-                if (one.origin.isConfigured()) {
-                  reported.accept(report);
-                }
-                return ResponseKind.REPORTED;
+                return take(one, one.order.stop(), true);
               } catch (RemoteException e) {
+                if (ServerNotAcceptedException.isCauseOf(e)) {
+                  return asStranger(one, e);
+                }
                 throw new CompletionException(e);
               }
             },
             threads)
         .orTimeout(configured.attemptTimeout().toMillis(), TimeUnit.MILLISECONDS);
+  }
+
+  /**
+   * Repeats a request without an identity. A robot whose credentials cannot be used is closed, and
+   * neither it nor a member can know the other; it lets itself be stopped by strangers. Nobody
+   * knows who has answered, so the answer confirms nothing.
+   *
+   * @param refusal of the request with the identity
+   */
+  private ResponseKind asStranger(PhoenixRequest one, RemoteException refusal) {
+    try {
+      return take(one, CurrentIdentity.callAsStranger(one.order::stop), false);
+    } catch (Exception e) { // it lets no stranger stop it, either
+      refusal.addSuppressed(e);
+      throw new CompletionException(refusal);
+    }
+  }
+
+  private ResponseKind take(
+      PhoenixRequest one, @Nullable StopReport report, boolean isAuthenticated) {
+    if (report == null) {
+      return ResponseKind.ABSENT;
+    }
+    synchronized (this) { // also one that arrives after the wait
+      one.reports.add(report);
+      one.isAuthenticated &= isAuthenticated;
+    }
+    if (isAuthenticated && one.origin.isConfigured()) {
+      reported.accept(report);
+    }
+    return ResponseKind.REPORTED;
   }
 
   /** Completes when every phoenix of the requests so far has answered or failed. */
@@ -173,7 +200,8 @@ final class PhoenixStopRequests {
       answers.add(
           isSilent
               ? PhoenixAnswer.unresponsive(one.address, one.origin)
-              : PhoenixAnswer.of(one.address, one.origin, one.reports));
+              : PhoenixAnswer.of(
+                  one.address, one.isAuthenticated ? one.origin : Origin.DISCOVERY, one.reports));
     }
     @Nullable Address further = unasked;
     if (further != null) { // it may run effectors that no other phoenix confirms

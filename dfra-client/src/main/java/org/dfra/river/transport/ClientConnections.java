@@ -312,7 +312,7 @@ final class ClientConnections {
     try {
       encrypted.handshake();
     } catch (SSLException e) {
-      throw new IOException(
+      throw new ServerNotAcceptedException(
           PrintableText.line(
               key.server + " and " + identity + " do not accept each other: " + e.getMessage()),
           e);
@@ -332,7 +332,10 @@ final class ClientConnections {
     }
     Greeting.Answer answer = Greeting.readServer(bytes.flip());
     if (answer != Greeting.Answer.WELCOME) {
-      throw new IOException(key.server + " refuses a connection: " + answer.sentence());
+      String refusal = key.server + " refuses a connection: " + answer.sentence();
+      throw answer == Greeting.Answer.ENCRYPTED_ONLY || answer == Greeting.Answer.NOT_ENCRYPTED
+          ? new ServerNotAcceptedException(refusal)
+          : new IOException(refusal);
     }
   }
 }

@@ -111,6 +111,16 @@ public final class CurrentIdentity {
     }
   }
 
+  /**
+   * Runs as a program that has joined no team: what it calls is encrypted, and neither side knows
+   * who the other is. Only for calls that are safe in all hands, such as a stop.
+   *
+   * @return the result
+   */
+  public static <T extends @Nullable Object> T callAsStranger(Callable<T> body) throws Exception {
+    return callAs(AnonymousIdentity.instance(), body);
+  }
+
   /** The identity that is current now, for work that other threads do later. */
   public static Kept keep() {
     return new Kept(OF_THREAD.get());

@@ -26,6 +26,7 @@ import net.jini.config.ConfigurationException;
 import net.jini.config.ConfigurationProvider;
 import net.jini.export.Exporter;
 import net.jini.export.ProxyAccessor;
+import org.dfra.activation.GroupPorts;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.call.JeriExporters;
@@ -93,7 +94,8 @@ public final class ActivationGroupImpl extends ActivationGroup
       throws RemoteException, ActivationException {
     super(id);
     this.id = id;
-    endJrmpExport(); // JERI exports this group, not JRMP
+    boolean unused = UnicastRemoteObject.unexportObject(this, true); // JERI exports this group
+    GroupPorts.close(this);
     try {
       Configuration c =
           ConfigurationProvider.getInstance(data == null ? new String[0] : data.get());
