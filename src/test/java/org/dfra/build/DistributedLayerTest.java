@@ -48,6 +48,7 @@ class DistributedLayerTest {
     "org.dfra.river.identity.."
   };
   private static final String[] PHOENIX = {"org.dfra.river.phoenix.."};
+  private static final String[] ACCESS = {"org.dfra.river.access.."};
   private static final String[] IDENTITY = {"org.dfra.river.identity.."};
   private static final String[] SECURITY = {"org.dfra.river.security.."};
 
@@ -86,6 +87,12 @@ class DistributedLayerTest {
         PHOENIX,
         dependsWithinDfraOnlyOn(
             PHOENIX, join(PHOENIX, SECURITY, LOADING, BOOT_PATH, CLIENT, API, CORE)));
+  }
+
+  /** Endpoints get an identity. It does not know how bytes travel. */
+  @Test
+  void identitiesNeedAddressesOnly() {
+    check(IDENTITY, dependsWithinDfraOnlyOn(IDENTITY, join(IDENTITY, ACCESS, API)));
   }
 
   /** Every process of a robot and every command has it, so it knows none of them. */

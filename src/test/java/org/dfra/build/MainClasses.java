@@ -5,9 +5,9 @@ import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 
 /** All classes of DFRA but those of its tests, which take seconds to read. */
-final class MainClasses {
+public final class MainClasses {
 
-  static final JavaClasses ALL =
+  public static final JavaClasses ALL =
       new ClassFileImporter()
           .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
           .importPackages("org.dfra");

@@ -1,6 +1,7 @@
 package org.dfra.policy;
 
 import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import java.lang.reflect.Method;
@@ -12,6 +13,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
+import org.dfra.build.MainClasses;
 import org.dfra.core.policy.MethodKinds;
 
 /** All remote interfaces that programs of DFRA call, as they are found in the class files. */
@@ -47,10 +49,11 @@ final class RemoteInterfaces {
 
   private static List<Class<?>> find() {
     Set<String> names = new TreeSet<>(BY_NAME);
-    for (JavaClass each :
+    JavaClasses activation =
         new ClassFileImporter()
             .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
-            .importPackages("org.dfra", "java.rmi.activation")) {
+            .importPackages("java.rmi.activation");
+    for (JavaClass each : Stream.concat(MainClasses.ALL.stream(), activation.stream()).toList()) {
       Stream.concat(Stream.of(each), each.getAllRawInterfaces().stream())
           .filter(JavaClass::isInterface)
           .filter(type -> type.isAssignableTo(Remote.class))

@@ -7,18 +7,17 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.Callable;
 import net.jini.core.discovery.LookupLocator;
 import net.jini.core.lookup.ServiceItem;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
 import org.awaitility.Awaitility;
 import org.dfra.module.Module;
+import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.identity.IdentityFolder;
 import org.dfra.river.identity.RevokedCertificates;
 import org.dfra.river.identity.TeamCredentials;
 import org.dfra.river.identity.TeamIdentity;
-import org.dfra.river.transport.CurrentIdentity;
 import org.dfra.security.Decision;
 
 /**
@@ -53,7 +52,7 @@ final class MemberCalls {
   }
 
   /** Calls: what is received and exported meanwhile keeps this identity. */
-  <T> T call(Callable<T> body) throws Exception {
+  <T, E extends Exception> T call(CurrentIdentity.Body<T, E> body) throws E {
     return CurrentIdentity.callAs(identity, body);
   }
 

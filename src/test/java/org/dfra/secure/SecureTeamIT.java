@@ -14,6 +14,7 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.UUID;
+import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicLong;
 import net.jini.admin.Administrable;
@@ -338,17 +339,17 @@ class SecureTeamIT {
         .orElseThrow();
   }
 
-  private static void awaitRefusal(ThrowingCallable call) {
+  private static void awaitRefusal(Callable<?> call) {
     await()
         .pollInterval(POLL)
         .atMost(SecureTeam.PATIENCE)
         .until(
             () -> {
               try {
-                call.call();
+                Object unused = call.call();
                 return false;
-              } catch (Throwable e) {
-                return e instanceof AccessRefusedException || e instanceof RemoteException;
+              } catch (AccessRefusedException | RemoteException e) {
+                return true;
               }
             });
   }

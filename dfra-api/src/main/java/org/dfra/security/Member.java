@@ -28,7 +28,10 @@ public record Member(String team, MemberRole role, String name) implements Princ
   public static final String NAME_RULE =
       "1 to 64 letters, digits, dots, hyphens and underscores, the first a letter or digit";
 
-  private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9._-]{0,63}");
+  /** {@link #NAME_RULE} as a regular expression. */
+  public static final String NAME_FORM = "[A-Za-z0-9][A-Za-z0-9._-]{0,63}";
+
+  private static final Pattern NAME = Pattern.compile(NAME_FORM);
 
   /**
    * Checks them.

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.Executor;
@@ -14,8 +15,8 @@ import java.util.function.Consumer;
 import org.dfra.cli.stop.PhoenixAddresses.Address;
 import org.dfra.cli.stop.PhoenixAddresses.Origin;
 import org.dfra.river.call.ConnectionRefusal;
+import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.phoenix.stop.StopReport;
-import org.dfra.river.transport.CurrentIdentity;
 import org.dfra.river.transport.ServerNotAcceptedException;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -154,8 +155,10 @@ final class PhoenixStopRequests {
    */
   private ResponseKind asStranger(PhoenixRequest one, RemoteException refusal) {
     try {
-      return take(one, CurrentIdentity.callAsStranger(one.order::stop), false);
-    } catch (Exception e) { // it lets no stranger stop it, either
+      Optional<StopReport> report =
+          CurrentIdentity.callAsStranger(() -> Optional.ofNullable(one.order.stop()));
+      return take(one, report.orElse(null), false);
+    } catch (RemoteException | SecurityException e) { // it lets no stranger stop it, either
       refusal.addSuppressed(e);
       throw new CompletionException(refusal);
     }

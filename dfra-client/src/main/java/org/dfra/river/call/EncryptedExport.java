@@ -6,7 +6,7 @@ import net.jini.export.Exporter;
 import net.jini.jeri.BasicJeriExporter;
 import net.jini.jeri.BasicObjectEndpoint;
 import net.jini.jeri.ObjectEndpoint;
-import org.dfra.river.transport.CurrentIdentity;
+import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.transport.TransportEndpoint;
 import org.dfra.river.transport.TransportServerEndpoint;
 

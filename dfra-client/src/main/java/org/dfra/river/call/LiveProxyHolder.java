@@ -16,7 +16,7 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.atomic.AtomicReference;
 import net.jini.core.constraint.MethodConstraints;
 import net.jini.core.constraint.RemoteMethodControl;
-import org.dfra.river.transport.CurrentIdentity;
+import org.dfra.river.identity.CurrentIdentity;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -5,7 +5,7 @@ import java.rmi.Remote;
 import net.jini.constraint.BasicMethodConstraints;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.core.constraint.RemoteMethodControl;
-import org.dfra.river.transport.CurrentIdentity;
+import org.dfra.river.identity.CurrentIdentity;
 
 /** Who may answer the calls of a received proxy. */
 public final class RobotAuthentication {

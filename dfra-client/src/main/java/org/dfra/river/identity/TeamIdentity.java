@@ -28,8 +28,6 @@ import net.jini.core.constraint.ServerAuthentication;
 import net.jini.core.constraint.ServerMinPrincipal;
 import org.dfra.river.access.NumericAddress;
 import org.dfra.river.access.OwnAddresses;
-import org.dfra.river.transport.ChannelIdentity;
-import org.dfra.river.transport.ChannelPeer;
 import org.dfra.security.Caller;
 import org.dfra.security.Caller.Standing;
 import org.dfra.security.Guard;
@@ -50,8 +48,6 @@ public final class TeamIdentity implements ChannelIdentity {
 
   /** The most peers whose sessions are kept. */
   private static final int SESSIONS = 512;
-
-  private static final Subject NOBODY = new Subject(true, Set.of(), Set.of(), Set.of());
 
   private final Member member;
   private final Subject subject;
@@ -181,7 +177,7 @@ public final class TeamIdentity implements ChannelIdentity {
       if (isServer) {
         throw e;
       }
-      return new Stranger(Caller.stranger(address));
+      return StrangerPeer.at(address);
     }
     Known known = new Known(member(certificate), certificate, address, isServer);
     if (known.isRevoked()) { // a resumed session was checked long ago
@@ -299,7 +295,7 @@ public final class TeamIdentity implements ChannelIdentity {
 
     @Override
     public Subject subject() {
-      return standing() == Standing.STRANGER ? NOBODY : subject;
+      return standing() == Standing.STRANGER ? StrangerPeer.NOBODY : subject;
     }
 
     private Standing standing() {
@@ -327,19 +323,6 @@ public final class TeamIdentity implements ChannelIdentity {
     @Override
     public String toString() {
       return who.toString();
-    }
-  }
-
-  private record Stranger(Caller caller) implements ChannelPeer {
-
-    @Override
-    public Subject subject() {
-      return NOBODY;
-    }
-
-    @Override
-    public boolean isRevoked() {
-      return false;
     }
   }
 }

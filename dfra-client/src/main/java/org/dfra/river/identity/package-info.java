@@ -8,6 +8,10 @@
  * {@link org.dfra.river.identity.RevokedCertificates} which no longer are. {@link
  * org.dfra.river.identity.TeamCertificates} checks what is read from files; the command that writes
  * them uses the same checks.
+ *
+ * <p>The transport knows only {@link org.dfra.river.identity.ChannelIdentity}, which endpoints get
+ * from {@link org.dfra.river.identity.CurrentIdentity}, and {@link
+ * org.dfra.river.identity.ChannelPeer}. This package knows no transport.
  */
 @NullMarked
 package org.dfra.river.identity;

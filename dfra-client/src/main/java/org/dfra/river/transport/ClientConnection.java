@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.nio.ByteBuffer;
 import java.util.concurrent.TimeUnit;
+import org.dfra.river.identity.ChannelPeer;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -35,7 +36,7 @@ final class ClientConnection {
   ByteBuffer output() {
     ByteBuffer buffer = output;
     if (buffer == null) {
-      buffer = BlockBuffers.take();
+      buffer = BufferPool.BLOCKS.take();
       output = buffer;
     }
     return buffer;
@@ -45,7 +46,7 @@ final class ClientConnection {
   ByteBuffer input() {
     ByteBuffer buffer = input;
     if (buffer == null) {
-      buffer = BlockBuffers.take().limit(0);
+      buffer = BufferPool.BLOCKS.take().limit(0);
       input = buffer;
     }
     return buffer;
@@ -83,11 +84,11 @@ final class ClientConnection {
   /** Only for an idle connection: a call that was aborted may still write into its buffer. */
   private void freeBuffers() {
     if (output != null) {
-      BlockBuffers.giveBack(output);
+      BufferPool.BLOCKS.giveBack(output);
       output = null;
     }
     if (input != null) {
-      BlockBuffers.giveBack(input);
+      BufferPool.BLOCKS.giveBack(input);
       input = null;
     }
   }

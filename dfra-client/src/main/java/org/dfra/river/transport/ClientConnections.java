@@ -21,6 +21,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import javax.net.ssl.SSLException;
 import net.jini.id.Uuid;
+import org.dfra.river.identity.ChannelIdentity;
 import org.dfra.river.transport.local.LocalSocket;
 import org.dfra.text.PrintableText;
 import org.jspecify.annotations.Nullable;

@@ -20,6 +20,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
+import org.dfra.river.identity.ChannelIdentity;
+import org.dfra.river.identity.ChannelPeer;
 import org.dfra.river.transport.ConnectionLimits.Resource;
 import org.dfra.river.transport.ServerConnection.State;
 import org.jspecify.annotations.Nullable;
@@ -49,9 +51,9 @@ final class ConnectionSelector {
   /** Limited by {@link Resource#WORKERS}. */
   private final Executor workers = DaemonPool.create("dfra-worker-");
 
-  private final HandshakeQueue handshakes = new HandshakeQueue();
+  private final Handshakes handshakes = new Handshakes(this);
   private final ConnectionAcceptor acceptor;
-  private long nextCheck = System.nanoTime();
+  private volatile long nextCheck = System.nanoTime();
 
   /** Have received more than was read. */
   private final Set<SelectionKey> ready = new LinkedHashSet<>();
@@ -151,7 +153,8 @@ final class ConnectionSelector {
     submit(() -> nextCheck = System.nanoTime());
   }
 
-  private void submit(Runnable task) {
+  /** Runs a task on the selector's thread. For any thread. */
+  void submit(Runnable task) {
     tasks.add(task);
     selector.wakeup();
   }
@@ -193,7 +196,8 @@ final class ConnectionSelector {
     }
   }
 
-  private void handle(SelectionKey key) {
+  /** Takes what a connection has received. */
+  void handle(SelectionKey key) {
     if (key.attachment() instanceof ServerPort port) {
       acceptor.accept(key, port);
       checkSoon();
@@ -202,7 +206,7 @@ final class ConnectionSelector {
     ServerConnection connection = (ServerConnection) key.attachment();
     try {
       if (connection.state() == State.HANDSHAKE) {
-        continueHandshake(key, connection);
+        handshakes.proceed(key, connection);
         return;
       }
       read(key, connection);
@@ -244,6 +248,11 @@ final class ConnectionSelector {
       LOG.log(Level.DEBUG, "A connection ended while it was idle.", e);
       connection.close();
     }
+  }
+
+  /** When connections are checked next, in nanoseconds from now. For any thread. */
+  long nanosUntilCheck() {
+    return nextCheck - System.nanoTime();
   }
 
   private void checkSoon() {
@@ -289,39 +298,6 @@ final class ConnectionSelector {
     connection.enter(State.IDLE);
     if (connection.port().isClosed()) {
       endGently(connection);
-    }
-  }
-
-  /** Lets another thread compute, and does not read until that is done. */
-  private void continueHandshake(SelectionKey key, ServerConnection connection) {
-    key.interestOps(0);
-    TlsLink link = (TlsLink) connection.link();
-    handshakes.add(link.peer().origin(), () -> advance(key, connection, link));
-  }
-
-  /** For the threads of handshakes. */
-  private void advance(SelectionKey key, ServerConnection connection, TlsLink link) {
-    try {
-      boolean isOver = link.advance();
-      submit(() -> resume(key, connection, isOver));
-    } catch (IOException | RuntimeException e) { // also what a hostile peer makes JSSE throw
-      LOG.log(Level.DEBUG, () -> "The handshake of " + link.peer() + " failed: " + e);
-      connection.close();
-    }
-  }
-
-  private void resume(SelectionKey key, ServerConnection connection, boolean isEncrypted) {
-    if (!key.isValid()) {
-      return; // closed meanwhile
-    }
-    key.interestOps(SelectionKey.OP_READ);
-    if (!isEncrypted || !connection.enter(State.HANDSHAKE, State.IDLE)) {
-      return;
-    }
-    if (connection.port().isClosed()) {
-      endGently(connection);
-    } else if (connection.link().held() > 0) { // what came with the end of the handshake
-      handle(key);
     }
   }
 

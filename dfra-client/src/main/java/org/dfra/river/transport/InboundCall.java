@@ -10,6 +10,8 @@ import java.util.Collection;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.io.UnsupportedConstraintException;
 import net.jini.jeri.InboundRequest;
+import org.dfra.river.identity.ChannelIdentity;
+import org.dfra.river.identity.ChannelPeer;
 import org.jspecify.annotations.Nullable;
 
 /**

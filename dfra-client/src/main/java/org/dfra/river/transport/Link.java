@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.SelectableChannel;
 import java.util.Collection;
+import org.dfra.river.identity.ChannelPeer;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -7,10 +7,8 @@ import java.nio.channels.AsynchronousCloseException;
 import java.nio.channels.CancelledKeyException;
 import java.nio.channels.ClosedByInterruptException;
 import java.nio.channels.ClosedSelectorException;
-import java.nio.channels.SelectableChannel;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
-import java.util.Collection;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -20,9 +18,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>It has two further file descriptors from the first wait on.
  */
-final class PollingLink implements Link {
+final class PollingLink extends ForwardingLink {
 
-  private final Link link;
   private volatile boolean blocking = true;
 
   /** At a selector of its own, from the first wait on. */
@@ -38,7 +35,7 @@ final class PollingLink implements Link {
    * @param link whose channel is made non-blocking
    */
   PollingLink(Link link) throws IOException {
-    this.link = link;
+    super(link);
     link.setBlocking(false);
   }
 
@@ -116,46 +113,6 @@ final class PollingLink implements Link {
   @Override
   public void setBlocking(boolean blocking) {
     this.blocking = blocking;
-  }
-
-  @Override
-  public void endOutput() throws IOException {
-    link.endOutput();
-  }
-
-  @Override
-  public void endInput() throws IOException {
-    link.endInput();
-  }
-
-  @Override
-  public boolean hasReceived() {
-    return link.hasReceived();
-  }
-
-  @Override
-  public int held() {
-    return link.held();
-  }
-
-  @Override
-  public @Nullable ChannelPeer partner() {
-    return link.partner();
-  }
-
-  @Override
-  public SelectableChannel channel() {
-    return link.channel();
-  }
-
-  @Override
-  public Peer peer() {
-    return link.peer();
-  }
-
-  @Override
-  public void addClientTo(Collection<Object> context) {
-    link.addClientTo(context);
   }
 
   @Override

@@ -6,6 +6,8 @@ import net.jini.core.constraint.InvocationConstraints;
 import net.jini.io.UnsupportedConstraintException;
 import net.jini.jeri.OutboundRequest;
 import net.jini.jeri.OutboundRequestIterator;
+import org.dfra.river.identity.ChannelIdentity;
+import org.dfra.river.identity.ChannelPeer;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.nio.ByteBuffer;
 import java.util.Objects;
+import org.dfra.river.identity.ChannelIdentity;
+import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.transport.ConnectionLimits.Resource;
 import org.jspecify.annotations.Nullable;
 
@@ -188,7 +190,7 @@ final class ServerConnection implements Runnable {
     if (!admit(received)) {
       return false;
     }
-    ByteBuffer buffer = BlockBuffers.take();
+    ByteBuffer buffer = BufferPool.BLOCKS.take();
     buffer.put(received).flip();
     input = buffer;
     enter(State.RECEIVING);
@@ -198,7 +200,7 @@ final class ServerConnection implements Runnable {
   /** Undoes {@link #assign}: the worker has ended, or none is available. */
   void unassign() {
     if (input != null) {
-      BlockBuffers.giveBack(input);
+      BufferPool.BLOCKS.giveBack(input);
       input = null;
     }
     releaseReceiver();
@@ -234,7 +236,7 @@ final class ServerConnection implements Runnable {
     boolean goesOn = false;
     try {
       ByteBuffer buffer = Objects.requireNonNull(input);
-      output = BlockBuffers.take();
+      output = BufferPool.BLOCKS.take();
       do {
         goesOn = serveOne(buffer, output);
         releaseReceiver();
@@ -248,7 +250,7 @@ final class ServerConnection implements Runnable {
     } finally {
       unassign();
       if (output != null) {
-        BlockBuffers.giveBack(output);
+        BufferPool.BLOCKS.giveBack(output);
       }
       if (mayWait) {
         mayWait = false;

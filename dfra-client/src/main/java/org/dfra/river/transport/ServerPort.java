@@ -10,6 +10,7 @@ import java.util.List;
 import net.jini.id.Uuid;
 import net.jini.id.UuidFactory;
 import net.jini.jeri.RequestDispatcher;
+import org.dfra.river.identity.ChannelIdentity;
 import org.dfra.river.transport.local.ComputerId;
 import org.dfra.river.transport.local.LocalSocket;
 import org.dfra.river.transport.local.SocketFolder;

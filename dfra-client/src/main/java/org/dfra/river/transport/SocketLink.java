@@ -13,6 +13,7 @@ import java.util.Collection;
 import jdk.net.ExtendedSocketOptions;
 import jdk.net.UnixDomainPrincipal;
 import net.jini.io.context.ClientHost;
+import org.dfra.river.identity.ChannelPeer;
 import org.dfra.river.transport.local.LocalUser;
 import org.jspecify.annotations.Nullable;
 

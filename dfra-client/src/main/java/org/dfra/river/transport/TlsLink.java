@@ -5,7 +5,6 @@ import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.net.InetAddress;
 import java.nio.ByteBuffer;
-import java.nio.channels.SelectableChannel;
 import java.util.Collection;
 import javax.net.ssl.SSLEngine;
 import javax.net.ssl.SSLEngineResult;
@@ -13,6 +12,8 @@ import javax.net.ssl.SSLEngineResult.HandshakeStatus;
 import javax.net.ssl.SSLException;
 import net.jini.io.context.ClientHost;
 import net.jini.io.context.ClientSubject;
+import org.dfra.river.identity.ChannelIdentity;
+import org.dfra.river.identity.ChannelPeer;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -23,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  * of the other link counts as the end of this one: messages have lengths, so none can be cut
  * unnoticed.
  */
-final class TlsLink implements Link {
+final class TlsLink extends ForwardingLink {
 
   private static final System.Logger LOG = System.getLogger(TlsLink.class.getName());
 
@@ -49,8 +50,7 @@ final class TlsLink implements Link {
 
   private static final int DATA_FOR_SILENT = 1024;
 
-  private final Link link;
-  private final SSLEngine engine;
+  private final TlsEngine engine;
   private final ChannelIdentity identity;
   private final boolean isServer;
   private boolean blocking;
@@ -83,9 +83,9 @@ final class TlsLink implements Link {
   }
 
   private TlsLink(Link link, ChannelIdentity identity, SSLEngine engine, boolean isServer) {
-    this.link = link;
+    super(link);
     this.identity = identity;
-    this.engine = engine;
+    this.engine = new TlsEngine(engine);
     this.isServer = isServer;
     this.blocking = !isServer;
   }
@@ -117,7 +117,7 @@ final class TlsLink implements Link {
   /** Sends the alert that says why this end gives up, if there is one. */
   private void sayWhy() {
     try {
-      if (engine.getHandshakeStatus() == HandshakeStatus.NEED_WRAP) {
+      if (engine.status() == HandshakeStatus.NEED_WRAP) {
         boolean unused = isSent(NOTHING);
       }
     } catch (IOException e) {
@@ -126,13 +126,13 @@ final class TlsLink implements Link {
   }
 
   private boolean advanced() throws IOException {
-    if (engine.getHandshakeStatus() == HandshakeStatus.NOT_HANDSHAKING && partner == null) {
-      begin();
+    if (engine.status() == HandshakeStatus.NOT_HANDSHAKING && partner == null) {
+      engine.begin();
     }
     while (true) {
-      HandshakeStatus next = engine.getHandshakeStatus();
+      HandshakeStatus next = engine.status();
       switch (next) {
-        case NEED_TASK -> runTasks();
+        case NEED_TASK -> engine.runTasks();
         case NEED_WRAP -> {
           if (!isSent(NOTHING)) {
             throw new IOException("the peer takes no bytes of the handshake");
@@ -144,56 +144,15 @@ final class TlsLink implements Link {
           }
         }
         case FINISHED, NOT_HANDSHAKING -> {
-          partner = identity.peer(engine.getSession(), address(), !isServer);
+          partner = identity.peer(engine.session(), address(), !isServer);
           return true;
         }
       }
     }
   }
 
-  private void begin() throws IOException {
-    try {
-      engine.beginHandshake();
-    } catch (RuntimeException e) {
-      throw failed(e);
-    }
-  }
-
-  /** Whatever a peer makes JSSE throw ends this connection only. */
-  private static SSLException failed(RuntimeException e) {
-    return new SSLException("TLS failed: " + e, e);
-  }
-
   private String address() {
     return link.peer().address().getHostAddress();
-  }
-
-  private void runTasks() throws SSLException {
-    try {
-      for (Runnable task = engine.getDelegatedTask();
-          task != null;
-          task = engine.getDelegatedTask()) {
-        task.run();
-      }
-    } catch (RuntimeException e) {
-      throw failed(e);
-    }
-  }
-
-  private SSLEngineResult unwrap(ByteBuffer from, ByteBuffer to) throws SSLException {
-    try {
-      return engine.unwrap(from, to);
-    } catch (RuntimeException e) {
-      throw failed(e);
-    }
-  }
-
-  private SSLEngineResult wrap(ByteBuffer from, ByteBuffer to) throws SSLException {
-    try {
-      return engine.wrap(from, to);
-    } catch (RuntimeException e) {
-      throw failed(e);
-    }
   }
 
   /** Returns false if bytes are missing and the link does not wait. */
@@ -202,7 +161,7 @@ final class TlsLink implements Link {
     from.flip();
     SSLEngineResult result;
     try {
-      result = unwrap(from, NOTHING);
+      result = engine.unwrap(from, NOTHING);
     } finally {
       from.compact();
     }
@@ -253,7 +212,7 @@ final class TlsLink implements Link {
   private ByteBuffer sealed() {
     ByteBuffer buffer = sealed;
     if (buffer == null) {
-      buffer = TlsBuffers.take();
+      buffer = BufferPool.RECORDS.take();
       sealed = buffer;
     }
     return buffer;
@@ -264,7 +223,7 @@ final class TlsLink implements Link {
     ByteBuffer cipher = sealed;
     if (cipher != null && cipher.position() == 0) {
       sealed = null;
-      TlsBuffers.giveBack(cipher);
+      BufferPool.RECORDS.giveBack(cipher);
     }
   }
 
@@ -309,7 +268,7 @@ final class TlsLink implements Link {
     ready.position(ready.position() + count);
     if (!ready.hasRemaining()) {
       open = null;
-      TlsBuffers.giveBack(ready);
+      BufferPool.RECORDS.giveBack(ready);
     }
     return count;
   }
@@ -326,7 +285,7 @@ final class TlsLink implements Link {
     int before = into.position();
     SSLEngineResult result;
     try {
-      result = unwrap(from, into);
+      result = engine.unwrap(from, into);
       if (result.getStatus() == SSLEngineResult.Status.BUFFER_OVERFLOW) {
         result = decryptAside(from);
       }
@@ -357,8 +316,8 @@ final class TlsLink implements Link {
   }
 
   private SSLEngineResult decryptAside(ByteBuffer from) throws IOException {
-    ByteBuffer aside = TlsBuffers.take();
-    SSLEngineResult result = unwrap(from, aside);
+    ByteBuffer aside = BufferPool.RECORDS.take();
+    SSLEngineResult result = engine.unwrap(from, aside);
     if (result.getStatus() == SSLEngineResult.Status.BUFFER_OVERFLOW) {
       throw new SSLException("a record is longer than TLS allows");
     }
@@ -366,7 +325,7 @@ final class TlsLink implements Link {
     if (aside.hasRemaining()) {
       open = aside;
     } else {
-      TlsBuffers.giveBack(aside);
+      BufferPool.RECORDS.giveBack(aside);
     }
     return result;
   }
@@ -374,8 +333,8 @@ final class TlsLink implements Link {
   /** A peer may ask for new keys at any time. */
   private void answerIfNeeded() throws IOException {
     while (true) {
-      switch (engine.getHandshakeStatus()) {
-        case NEED_TASK -> runTasks();
+      switch (engine.status()) {
+        case NEED_TASK -> engine.runTasks();
         case NEED_WRAP -> {
           if (!isSent(NOTHING)) {
             throw new IOException("the peer takes no answer to its request for new keys");
@@ -403,8 +362,8 @@ final class TlsLink implements Link {
   private boolean isSent(ByteBuffer from) throws IOException {
     ByteBuffer to = leaving;
     if (to == null) {
-      to = TlsBuffers.take();
-      SSLEngineResult result = wrap(from, to);
+      to = BufferPool.RECORDS.take();
+      SSLEngineResult result = engine.wrap(from, to);
       boolean isAlert = result.getStatus() == SSLEngineResult.Status.CLOSED && from == NOTHING;
       if ((result.getStatus() != SSLEngineResult.Status.OK && !isAlert)
           || result.bytesProduced() == 0) {
@@ -419,7 +378,7 @@ final class TlsLink implements Link {
       }
     }
     leaving = null;
-    TlsBuffers.giveBack(to);
+    BufferPool.RECORDS.giveBack(to);
     return true;
   }
 
@@ -437,30 +396,10 @@ final class TlsLink implements Link {
   @Override
   public void setBlocking(boolean blocking) throws IOException {
     this.blocking = blocking;
-    link.setBlocking(blocking);
+    super.setBlocking(blocking);
     if (!blocking) {
       freeEmpty();
     }
-  }
-
-  @Override
-  public void endOutput() throws IOException {
-    link.endOutput();
-  }
-
-  @Override
-  public void endInput() throws IOException {
-    link.endInput();
-  }
-
-  @Override
-  public SelectableChannel channel() {
-    return link.channel();
-  }
-
-  @Override
-  public Peer peer() {
-    return link.peer();
   }
 
   @Override
@@ -478,10 +417,5 @@ final class TlsLink implements Link {
       context.add(client.caller());
       context.add(client);
     }
-  }
-
-  @Override
-  public void close() throws IOException {
-    link.close();
   }
 }

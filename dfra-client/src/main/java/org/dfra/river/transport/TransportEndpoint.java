@@ -13,6 +13,9 @@ import net.jini.jeri.OutboundRequestIterator;
 import net.jini.security.proxytrust.TrustEquivalence;
 import org.dfra.river.access.NumericAddress;
 import org.dfra.river.access.OwnAddresses;
+import org.dfra.river.identity.AnonymousIdentity;
+import org.dfra.river.identity.ChannelIdentity;
+import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.transport.local.LocalSocket;
 import org.jspecify.annotations.Nullable;
 

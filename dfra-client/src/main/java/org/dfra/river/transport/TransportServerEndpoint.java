@@ -12,6 +12,8 @@ import net.jini.jeri.RequestDispatcher;
 import net.jini.jeri.ServerEndpoint;
 import org.dfra.river.access.GuardedEndpoint;
 import org.dfra.river.access.ListeningHost;
+import org.dfra.river.identity.ChannelIdentity;
+import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.transport.local.LocalSocket;
 import org.dfra.security.Guard;
 import org.jspecify.annotations.Nullable;

@@ -12,6 +12,7 @@ import javax.net.ssl.SSLEngine;
 import javax.net.ssl.SSLEngineResult;
 import javax.net.ssl.SSLEngineResult.HandshakeStatus;
 import javax.net.ssl.SSLException;
+import org.dfra.river.identity.ChannelIdentity;
 
 /** A client that decides for itself which bytes of TLS it sends, and when. */
 final class RawTls implements AutoCloseable {

@@ -6,13 +6,14 @@ import java.io.OutputStream;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
-import java.util.concurrent.Callable;
 import java.util.concurrent.CopyOnWriteArrayList;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.jeri.InboundRequest;
 import net.jini.jeri.OutboundRequest;
 import net.jini.jeri.ServerEndpoint;
 import net.jini.jeri.ServerEndpoint.ListenHandle;
+import org.dfra.river.identity.ChannelIdentity;
+import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.security.Caller;
 import org.jspecify.annotations.Nullable;
 
@@ -47,7 +48,8 @@ final class RecordingServer implements AutoCloseable {
 
   /** One that encrypts, at a port. */
   static RecordingServer at(int port, ChannelIdentity identity) {
-    return new RecordingServer(with(identity, () -> new TransportServerEndpoint(HOST, port)));
+    return new RecordingServer(
+        CurrentIdentity.callAs(identity, () -> new TransportServerEndpoint(HOST, port)));
   }
 
   /** One that does not encrypt. */
@@ -57,15 +59,7 @@ final class RecordingServer implements AutoCloseable {
 
   /** An endpoint to listen on. */
   static ServerEndpoint endpoint(ChannelIdentity identity) {
-    return with(identity, () -> new TransportServerEndpoint(HOST, 0));
-  }
-
-  private static <T> T with(ChannelIdentity identity, Callable<T> body) {
-    try {
-      return CurrentIdentity.callAs(identity, body);
-    } catch (Exception e) {
-      throw new IllegalStateException(e);
-    }
+    return CurrentIdentity.callAs(identity, () -> new TransportServerEndpoint(HOST, 0));
   }
 
   private void echo(InboundRequest request) {
@@ -110,7 +104,7 @@ final class RecordingServer implements AutoCloseable {
   TransportEndpoint from(@Nullable ChannelIdentity client) {
     return client == null
         ? new TransportEndpoint(HOST, port())
-        : with(client, () -> new TransportEndpoint(HOST, port()));
+        : CurrentIdentity.callAs(client, () -> new TransportEndpoint(HOST, port()));
   }
 
   static byte[] call(TransportEndpoint to) throws IOException {

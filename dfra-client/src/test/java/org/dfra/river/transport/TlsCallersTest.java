@@ -36,6 +36,8 @@ import net.jini.io.context.ClientSubject;
 import org.bouncycastle.asn1.x509.KeyPurposeId;
 import org.dfra.river.fixture.TestTeam;
 import org.dfra.river.fixture.TestTeam.Issued;
+import org.dfra.river.identity.AnonymousIdentity;
+import org.dfra.river.identity.ChannelIdentity;
 import org.dfra.security.Caller;
 import org.dfra.security.Member;
 import org.dfra.security.MemberRole;

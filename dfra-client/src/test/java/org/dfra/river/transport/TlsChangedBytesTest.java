@@ -18,6 +18,8 @@ import net.jini.jeri.InboundRequest;
 import net.jini.jeri.OutboundRequest;
 import net.jini.jeri.ServerEndpoint.ListenHandle;
 import org.dfra.river.fixture.TestTeam;
+import org.dfra.river.identity.ChannelIdentity;
+import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.transport.FlippingRelay.Flip;
 import org.dfra.security.MemberRole;
 import org.junit.jupiter.api.Test;
@@ -130,12 +132,7 @@ class TlsChangedBytesTest {
   }
 
   private static TransportEndpoint to(int port, ChannelIdentity client) {
-    try {
-      return CurrentIdentity.callAs(
-          client, () -> new TransportEndpoint(RecordingServer.HOST, port));
-    } catch (Exception e) {
-      throw new IllegalStateException(e);
-    }
+    return CurrentIdentity.callAs(client, () -> new TransportEndpoint(RecordingServer.HOST, port));
   }
 
   private void callChanged(int number, FlippingRelay relay, ChannelIdentity client) {

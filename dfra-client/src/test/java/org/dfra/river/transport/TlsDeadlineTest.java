@@ -19,6 +19,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.core.constraint.RemoteMethodControl;
@@ -30,6 +31,8 @@ import org.dfra.river.call.CallInterruptedException;
 import org.dfra.river.call.DeadlineExceededException;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.fixture.TestTeam;
+import org.dfra.river.identity.ChannelIdentity;
+import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.security.MemberRole;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -46,13 +49,14 @@ class TlsDeadlineTest {
 
   private static final int CALLERS = 40;
   private static final long FREE_MILLIS = 2100;
-  private static final int HANDSHAKES = Boolean.getBoolean("dfra.full") ? 2000 : 200;
+  private static final int HANDSHAKES = 200;
 
   private final TestIdentities team = new TestIdentities(new TestTeam("field"));
   private final ChannelIdentity robot = team.of(MemberRole.ROBOT, "atrv1");
   private final ChannelIdentity anna = team.of(MemberRole.OPERATOR, "anna");
   private final ExecutorService threads = Executors.newCachedThreadPool();
   private final List<Socket> accepted = new ArrayList<>();
+  private final Semaphore handshakes = new Semaphore(0); // that have begun
 
   @AfterEach
   void close() throws IOException {
@@ -91,6 +95,9 @@ class TlsDeadlineTest {
       accepted.add(each);
       each.getInputStream().readNBytes(Greeting.CLIENT_BYTES);
       each.getOutputStream().write(Greeting.server(Greeting.Answer.WELCOME).array());
+      if (each.getInputStream().read() >= 0) {
+        handshakes.release();
+      }
     }
   }
 
@@ -169,7 +176,7 @@ class TlsDeadlineTest {
                 isOver.countDown();
               });
       caller.start();
-      Thread.sleep(300); // it waits for the server's part of the handshake
+      assertThat(handshakes.tryAcquire(30, TimeUnit.SECONDS)).as("a handshake has begun").isTrue();
       caller.interrupt();
       assertThat(isOver.await(1, TimeUnit.SECONDS)).as("the caller is free").isTrue();
       assertThat(failures)

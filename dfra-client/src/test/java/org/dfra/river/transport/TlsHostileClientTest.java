@@ -21,6 +21,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.dfra.river.fixture.TestTeam;
+import org.dfra.river.identity.AnonymousIdentity;
+import org.dfra.river.identity.ChannelIdentity;
 import org.dfra.river.transport.ConnectionLimits.Resource;
 import org.dfra.security.MemberRole;
 import org.junit.jupiter.api.AfterEach;
@@ -122,10 +124,12 @@ class TlsHostileClientTest {
   void theRestOfARecordMayComeLater() throws Exception {
     RawTls slow = connected();
     byte[] record = slow.block(Block.Kind.END, new byte[] {4, 5});
+    long before = TransportTraffic.now().bytesReceived();
     for (int at = 0; at < record.length; at++) {
       slow.send(new byte[] {record[at]});
       if (at % 8 == 0) {
-        Thread.sleep(20); // it arrives in many parts
+        long sent = before + at + 1; // it arrives in many parts
+        await().atMost(PATIENCE).until(() -> TransportTraffic.now().bytesReceived() >= sent);
       }
     }
     assertThat(slow.readData(6)).containsExactly(1, 0, 0, 2, 4, 5);
@@ -319,7 +323,7 @@ class TlsHostileClientTest {
       callOnce(each);
     }
     await().atMost(PATIENCE).until(() -> total(Resource.PARTIAL_BYTES) == 0);
-    Thread.sleep(2500); // workers give them to the selector
+    await().atMost(PATIENCE).until(() -> total(Resource.WORKERS) == 0); // the selector has them
     long after = heapInUse();
     for (RawTls one : idle) {
       one.close();

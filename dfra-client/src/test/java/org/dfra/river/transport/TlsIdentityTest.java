@@ -2,6 +2,7 @@ package org.dfra.river.transport;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
 import static org.dfra.river.transport.RecordingServer.call;
 
 import java.io.ByteArrayInputStream;
@@ -21,6 +22,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.net.ssl.SSLEngine;
 import javax.net.ssl.SSLSession;
@@ -32,6 +34,9 @@ import net.jini.jeri.OutboundRequest;
 import net.jini.jeri.ServerEndpoint.ListenHandle;
 import org.dfra.river.fixture.TestTeam;
 import org.dfra.river.fixture.TestTeam.Issued;
+import org.dfra.river.identity.AnonymousIdentity;
+import org.dfra.river.identity.ChannelIdentity;
+import org.dfra.river.identity.ChannelPeer;
 import org.dfra.river.identity.TeamIdentity;
 import org.dfra.security.Caller;
 import org.dfra.security.Caller.Standing;
@@ -49,6 +54,8 @@ class TlsIdentityTest {
   private static final TestTeam AUTHORITY = new TestTeam("field");
   private static final Member ATRV1 = new Member("field", MemberRole.ROBOT, "atrv1");
   private static final String ELSEWHERE = "127.0.0.88"; // no address of this computer's own
+
+  private static final long FAR_AWAY_NANOS = TimeUnit.SECONDS.toNanos(5);
 
   private final TestIdentities team = new TestIdentities(AUTHORITY);
 
@@ -147,7 +154,9 @@ class TlsIdentityTest {
       idle.send(idle.block(Block.Kind.END, new byte[] {7}));
       assertThat(idle.readData(5)).hasSize(5);
       idle.send(idle.block(Block.Kind.PAUSE, new byte[0]));
-      Thread.sleep(3000); // all are idle, so the next check is far away
+      await("all connections are idle, so the next check is far away")
+          .atMost(Duration.ofSeconds(30))
+          .until(() -> ConnectionSelector.instance().nanosUntilCheck() > FAR_AWAY_NANOS);
       assertThat(team.revoke(AUTHORITY, 1, anna.certificate())).isTrue();
       idle.socket().setSoTimeout(1000);
       assertThat(idle.readRawToEnd()).as("within a second").isEmpty();

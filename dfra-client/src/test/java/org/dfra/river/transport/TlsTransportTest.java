@@ -5,6 +5,7 @@ import net.jini.core.constraint.Integrity;
 import net.jini.core.constraint.InvocationConstraint;
 import net.jini.jeri.ServerEndpoint;
 import org.dfra.river.fixture.TestTeam;
+import org.dfra.river.identity.ChannelIdentity;
 import org.dfra.security.MemberRole;
 
 /** Client and server are two robots of a team. */

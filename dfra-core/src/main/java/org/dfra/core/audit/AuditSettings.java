@@ -3,6 +3,7 @@ package org.dfra.core.audit;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.regex.Pattern;
+import org.dfra.security.Member;
 import org.dfra.text.PrintableText;
 
 /**
@@ -32,13 +33,12 @@ public record AuditSettings(
     int strangersRatePerInterval) {
 
   /** What the name of a stream may be. */
-  public static final String STREAM_RULE =
-      "1 to 64 letters, digits, dots, hyphens and underscores, the first a letter or digit";
+  public static final String STREAM_RULE = Member.NAME_RULE;
 
   /** The smallest size of a file, bytes: the longest possible record fits into it. */
   public static final long LEAST_BYTES = 32 * 1024;
 
-  static final String STREAM = "[A-Za-z0-9][A-Za-z0-9._-]{0,63}";
+  static final String STREAM = Member.NAME_FORM;
 
   private static final Pattern STREAM_NAME = Pattern.compile(STREAM);
   private static final int DEFAULT_FILES = 8;

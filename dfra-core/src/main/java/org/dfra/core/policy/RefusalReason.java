@@ -22,10 +22,7 @@ final class RefusalReason {
   }
 
   static String ofDenial(Policy policy, PolicyRule rule, AccessRequest request) {
-    return "rule "
-        + rule.name()
-        + " of "
-        + policy
+    return rule(rule, policy)
         + " denies "
         + call(request)
         + " to "
@@ -37,10 +34,7 @@ final class RefusalReason {
   }
 
   static String ofRate(Policy policy, PolicyRule rule, AccessRequest request) {
-    return "rule "
-        + rule.name()
-        + " of "
-        + policy
+    return rule(rule, policy)
         + " permits "
         + call(request)
         + " to one caller "
@@ -49,13 +43,14 @@ final class RefusalReason {
   }
 
   static String ofMissingConfirmation(Policy policy, PolicyRule rule, AccessRequest request) {
-    return "rule "
-        + rule.name()
-        + " of "
-        + policy
+    return rule(rule, policy)
         + " permits "
         + call(request)
         + " only when an operator has confirmed it; ask one, and call again";
+  }
+
+  private static String rule(PolicyRule rule, Policy policy) {
+    return "rule " + rule.name() + " of " + policy;
   }
 
   private static String call(AccessRequest request) {

@@ -16,8 +16,6 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
-import net.jini.core.discovery.LookupLocator;
-import net.jini.core.entry.Entry;
 import net.jini.core.event.EventRegistration;
 import net.jini.core.event.RemoteEvent;
 import net.jini.core.event.RemoteEventListener;
@@ -26,17 +24,12 @@ import net.jini.core.lease.UnknownLeaseException;
 import net.jini.core.lookup.ServiceEvent;
 import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceItem;
-import net.jini.core.lookup.ServiceMatches;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
 import net.jini.export.Exporter;
 import org.dfra.river.call.CallThreads;
-import org.dfra.river.call.PeerAddress;
 import org.dfra.river.discovery.LocatedRegistrar;
-import org.dfra.river.entry.ModuleEntry;
-import org.dfra.river.loading.LoadingFaults;
-import org.dfra.river.proxy.ModuleProxy;
-import org.dfra.river.security.SecureProcess;
+import org.dfra.river.lookup.RegistrarContents.RegistrarCall;
 import org.dfra.security.AccessRefusedException;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -80,6 +73,7 @@ final class RegistrarMonitor implements AutoCloseable {
 
   private final LocatedRegistrar identity;
   private final ServiceRegistrar registrar; // the same, for calls
+  private final RegistrarContents contents;
   private final ServiceTable serviceTable;
   private final DirectorySettings settings;
   private final InstantSource clock;
@@ -101,7 +95,7 @@ final class RegistrarMonitor implements AutoCloseable {
   private static final int BEATS_WITHOUT_EVENTS = 5;
 
   private volatile boolean silent;
-  private List<PeerAddress> neighbours = List.of(); // by the worker
+  private final TeamNeighbours neighbours = new TeamNeighbours(); // by the worker
   private final Map<ServiceID, String> faults = new HashMap<>(); // of proxies; by the worker
   private @Nullable RemoteEventListener stub; // by the worker
   private @Nullable EventRegistration registration; // by the worker
@@ -129,6 +123,7 @@ final class RegistrarMonitor implements AutoCloseable {
       Consumer<RegistrarMonitor> end) {
     this.identity = identity;
     this.registrar = identity;
+    this.contents = new RegistrarContents(identity, this::call);
     this.serviceTable = serviceTable;
     this.settings = settings;
     this.clock = clock;
@@ -220,7 +215,7 @@ final class RegistrarMonitor implements AutoCloseable {
     } else if (isRefused) {
       return; // it is read again later
     } else if (services == UNKNOWN) {
-      services = count(); // with no event waiting that would be counted once more
+      services = contents.count(); // with no event waiting that would be counted once more
     } else if (System.nanoTime() - compareAt > 0) {
       compare(); // likewise
     }
@@ -263,35 +258,16 @@ final class RegistrarMonitor implements AutoCloseable {
     sequence = begun.getSequenceNumber();
   }
 
-  /**
-   * Reads everything, robot by robot, so that no answer is too large for its deadline. Later
-   * changes come as events.
-   */
+  /** Reads everything. Later changes come as events. */
   private void reconcile() throws RemoteException {
     if (silent) {
-      int unused = count(); // it answers again
+      int unused = contents.count(); // it answers again
     }
     incomplete = false;
     services = UNKNOWN;
-    Map<ServiceID, ServiceItem> items = new HashMap<>();
-    ServiceTemplate modules = new ServiceTemplate(null, null, new Entry[] {new ModuleEntry()});
-    @Nullable Object[] robots =
-        call(
-            () -> {
-              try {
-                return registrar.getFieldValues(modules, 0, "robot");
-              } catch (NoSuchFieldException e) {
-                throw new AssertionError(e);
-              }
-            });
-    for (@Nullable Object robot : robots == null ? new Object[0] : robots) {
-      ModuleEntry of = new ModuleEntry();
-      of.robot = (String) robot;
-      lookup(new ServiceTemplate(null, null, new Entry[] {of}), items);
-    }
-    lookup(new ServiceTemplate(null, new Class<?>[] {ServiceRegistrar.class}, null), items);
+    Map<ServiceID, ServiceItem> items = contents.items();
     locate();
-    neighbours = neighbours(items.values());
+    neighbours.replaceAll(items.values());
     faults.keySet().retainAll(items.keySet());
     // Publish usable services before the search for faults of the others.
     serviceTable.replaceAll(identity, items.values(), faults);
@@ -303,29 +279,8 @@ final class RegistrarMonitor implements AutoCloseable {
     comparisons = 0;
     isOtherCount = false;
     read = true;
-    SecureProcess.news().ifPresent(news -> neighbours.forEach(news::with));
+    neighbours.exchangeNews();
     reader.run();
-  }
-
-  /** A process of each robot: what one has is shared by all processes of its robot. */
-  private static List<PeerAddress> neighbours(Collection<ServiceItem> items) {
-    Map<String, PeerAddress> processes = new HashMap<>();
-    for (ServiceItem item : items) {
-      if (item.service instanceof ModuleProxy<?> module) {
-        @Nullable PeerAddress address = PeerAddress.of(module.server());
-        if (address != null) {
-          processes.putIfAbsent(module.identification().robot(), address);
-        }
-      }
-    }
-    return List.copyOf(processes.values());
-  }
-
-  /** How many services it holds. */
-  private int count() throws RemoteException {
-    ServiceTemplate all = new ServiceTemplate(null, null, null);
-    ServiceMatches none = call(() -> registrar.lookup(all, 0));
-    return none.totalMatches;
   }
 
   /**
@@ -338,7 +293,7 @@ final class RegistrarMonitor implements AutoCloseable {
       worker.wake();
       return;
     }
-    boolean isOther = count() != services;
+    boolean isOther = contents.count() != services;
     if (isOther && isOtherCount) {
       LOG.debug("Events of {} were lost: everything is read.", identity);
       incomplete = true;
@@ -356,10 +311,7 @@ final class RegistrarMonitor implements AutoCloseable {
   /** Reads once which computer it runs on. */
   private void locate() throws RemoteException {
     if (!located) {
-      @Nullable LookupLocator locator = call(() -> registrar.getLocator());
-      if (locator != null) {
-        serviceTable.setHost(identity, locator.getHost());
-      }
+      contents.host().ifPresent(host -> serviceTable.setHost(identity, host));
       located = true;
     }
   }
@@ -370,30 +322,13 @@ final class RegistrarMonitor implements AutoCloseable {
       if (item.service != null) {
         faults.remove(item.serviceID);
       } else if (!faults.containsKey(item.serviceID)) {
-        Optional<String> fault = fault(item.serviceID);
+        Optional<String> fault = contents.fault(item.serviceID);
         if (fault.isPresent()) {
           faults.put(item.serviceID, fault.get());
           serviceTable.update(identity, item, fault.get());
         }
       }
     }
-  }
-
-  private void lookup(ServiceTemplate template, Map<ServiceID, ServiceItem> items)
-      throws RemoteException {
-    ServiceMatches matches = call(() -> registrar.lookup(template, Integer.MAX_VALUE));
-    for (ServiceItem item : matches.items) {
-      items.put(item.serviceID, item);
-    }
-  }
-
-  /** Why a service's proxy cannot be read; this reads the service again, by itself. */
-  private Optional<String> fault(ServiceID service) throws RemoteException {
-    ServiceTemplate one = new ServiceTemplate(service, null, null);
-    return LoadingFaults.during(
-        () -> {
-          ServiceMatches unused = call(() -> registrar.lookup(one, 1));
-        });
   }
 
   private void take(ServiceEvent event) throws RemoteException {
@@ -417,7 +352,9 @@ final class RegistrarMonitor implements AutoCloseable {
     if (item == null) {
       return;
     }
-    Optional<String> fault = item.service == null ? fault(item.serviceID) : Optional.empty();
+    neighbours.add(item);
+    Optional<String> fault =
+        item.service == null ? contents.fault(item.serviceID) : Optional.empty();
     if (fault.isPresent()) {
       faults.put(item.serviceID, fault.get());
       serviceTable.update(identity, item, fault.get());
@@ -437,7 +374,7 @@ final class RegistrarMonitor implements AutoCloseable {
 
   /** Sends a heartbeat, which renews the event lease. */
   private void beat() throws RemoteException {
-    SecureProcess.news().ifPresent(news -> neighbours.forEach(news::with));
+    neighbours.exchangeNews();
     EventRegistration known = registration;
     if (known == null) {
       return;
@@ -457,11 +394,8 @@ final class RegistrarMonitor implements AutoCloseable {
     }
   }
 
-  private interface RegistrarCall<T, E extends Exception> {
-    T ask() throws RemoteException, E;
-  }
-
-  private <T, E extends Exception> T call(RegistrarCall<T, E> asked) throws RemoteException, E {
+  private <T extends @Nullable Object, E extends Exception> T call(RegistrarCall<T, E> asked)
+      throws RemoteException, E {
     busySince = Math.max(1, System.nanoTime());
     try {
       T answer = asked.ask();

@@ -1,7 +1,6 @@
 package org.dfra.river.security.news;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.math.BigInteger;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
@@ -17,7 +16,6 @@ import org.dfra.core.policy.PolicyBundle;
 import org.dfra.core.policy.PolicyReplacementException;
 import org.dfra.core.policy.PolicySignatureException;
 import org.dfra.core.policy.PolicyStore;
-import org.dfra.core.policy.PolicyXml;
 import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.SecurityFiles;
 import org.dfra.river.identity.SignedFiles;
@@ -57,13 +55,10 @@ final class NewsFiles {
   }
 
   private byte[] read(String name) throws IOException {
-    int most = Math.max(SecurityFiles.maxBytes(name), PolicyXml.MAX_BYTES);
-    try (InputStream in = Files.newInputStream(folder.resolve(name))) {
-      byte[] content = in.readNBytes(most + 1);
-      if (content.length > most) {
-        throw new IOException(folder.resolve(name) + " is longer than " + most + " bytes");
-      }
-      return content;
+    try {
+      return SecurityFiles.read(folder.resolve(name));
+    } catch (IdentityException e) {
+      throw new IOException(e.getMessage(), e);
     }
   }
 

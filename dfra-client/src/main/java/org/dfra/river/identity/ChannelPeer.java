@@ -1,4 +1,4 @@
-package org.dfra.river.transport;
+package org.dfra.river.identity;
 
 import javax.security.auth.Subject;
 import org.dfra.security.Caller;

@@ -1,6 +1,5 @@
-package org.dfra.river.transport;
+package org.dfra.river.identity;
 
-import java.util.concurrent.Callable;
 import net.jini.core.constraint.InvocationConstraints;
 import org.jspecify.annotations.Nullable;
 
@@ -16,8 +15,21 @@ public final class CurrentIdentity {
 
   private CurrentIdentity() {}
 
+  /**
+   * What runs with an identity.
+   *
+   * @param <T> its result
+   * @param <E> what it throws
+   */
+  @FunctionalInterface
+  public interface Body<T extends @Nullable Object, E extends Exception> {
+
+    /** Runs. */
+    T call() throws E;
+  }
+
   /** The identity for a new endpoint; null if its calls are not encrypted. */
-  static @Nullable ChannelIdentity get() {
+  public static @Nullable ChannelIdentity get() {
     @Nullable ChannelIdentity own = OF_THREAD.get();
     return own == null ? ofProcess : own;
   }
@@ -73,7 +85,7 @@ public final class CurrentIdentity {
    *
    * @param identity of the called object's port; null if its calls are not encrypted
    */
-  static void runAs(@Nullable ChannelIdentity identity, Runnable body) {
+  public static void runAs(@Nullable ChannelIdentity identity, Runnable body) {
     @Nullable ChannelIdentity before = OF_THREAD.get();
     if (identity == null || identity == before || (before == null && identity == ofProcess)) {
       body.run();
@@ -100,8 +112,8 @@ public final class CurrentIdentity {
    *
    * @return the result
    */
-  public static <T extends @Nullable Object> T callAs(ChannelIdentity identity, Callable<T> body)
-      throws Exception {
+  public static <T extends @Nullable Object, E extends Exception> T callAs(
+      ChannelIdentity identity, Body<T, E> body) throws E {
     @Nullable ChannelIdentity before = OF_THREAD.get();
     OF_THREAD.set(identity);
     try {
@@ -117,7 +129,8 @@ public final class CurrentIdentity {
    *
    * @return the result
    */
-  public static <T extends @Nullable Object> T callAsStranger(Callable<T> body) throws Exception {
+  public static <T extends @Nullable Object, E extends Exception> T callAsStranger(Body<T, E> body)
+      throws E {
     return callAs(AnonymousIdentity.instance(), body);
   }
 
@@ -136,7 +149,7 @@ public final class CurrentIdentity {
     }
 
     /** Runs with it. */
-    public <T extends @Nullable Object> T call(Callable<T> body) throws Exception {
+    public <T extends @Nullable Object, E extends Exception> T call(Body<T, E> body) throws E {
       return identity == null ? body.call() : callAs(identity, body);
     }
   }

@@ -1,4 +1,4 @@
-package org.dfra.river.transport;
+package org.dfra.river.identity;
 
 import java.io.IOException;
 import javax.net.ssl.SSLEngine;

@@ -1,9 +1,7 @@
-package org.dfra.river.transport;
+package org.dfra.river.identity;
 
 import java.security.GeneralSecurityException;
 import java.security.cert.X509Certificate;
-import java.util.Optional;
-import java.util.Set;
 import javax.net.ssl.SSLContext;
 import javax.net.ssl.SSLEngine;
 import javax.net.ssl.SSLSession;
@@ -11,7 +9,6 @@ import javax.net.ssl.TrustManager;
 import javax.net.ssl.X509TrustManager;
 import javax.security.auth.Subject;
 import net.jini.core.constraint.InvocationConstraints;
-import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
 
@@ -19,9 +16,7 @@ import org.dfra.security.Guard;
  * A client that has joined no team. It has no certificate, and cannot know whose the server's is:
  * its calls are encrypted, but it is a stranger to all servers, and they to it.
  */
-final class AnonymousIdentity implements ChannelIdentity {
-
-  private static final Subject NOBODY = new Subject(true, Set.of(), Set.of(), Set.of());
+public final class AnonymousIdentity implements ChannelIdentity {
 
   private static final String[] PROTOCOLS = {"TLSv1.3"};
 
@@ -40,7 +35,8 @@ final class AnonymousIdentity implements ChannelIdentity {
     }
   }
 
-  static AnonymousIdentity instance() {
+  /** The one of this virtual machine. */
+  public static AnonymousIdentity instance() {
     return Holder.INSTANCE;
   }
 
@@ -64,12 +60,12 @@ final class AnonymousIdentity implements ChannelIdentity {
 
   @Override
   public ChannelPeer peer(SSLSession session, String address, boolean isServer) {
-    return new Unknown(new Caller(Caller.Standing.STRANGER, Optional.empty(), address));
+    return StrangerPeer.at(address);
   }
 
   @Override
   public Subject subject() {
-    return NOBODY;
+    return StrangerPeer.NOBODY;
   }
 
   @Override
@@ -97,19 +93,6 @@ final class AnonymousIdentity implements ChannelIdentity {
   @Override
   public String toString() {
     return "a program that has joined no team";
-  }
-
-  private record Unknown(Caller caller) implements ChannelPeer {
-
-    @Override
-    public Subject subject() {
-      return NOBODY;
-    }
-
-    @Override
-    public boolean isRevoked() {
-      return false;
-    }
   }
 
   /** Believes no server more than another: without an authority there is nothing to check. */
