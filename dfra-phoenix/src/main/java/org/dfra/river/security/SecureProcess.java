@@ -125,7 +125,7 @@ public final class SecureProcess {
     CurrentIdentity.setForProcess(made.identity());
     SecurityWatch.start(folder, made);
     if (mode == SecurityMode.SECURE) {
-      news = new NewsExchange(folder, made.authority(), made::numbers);
+      news = new NewsExchange(folder, made.authority(), made.identity(), made::numbers);
     }
     return new Installed(mode, made.identity().member().toString(), made.identity().robot(), fault);
   }
