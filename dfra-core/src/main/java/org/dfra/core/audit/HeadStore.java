@@ -9,6 +9,7 @@ import java.security.cert.X509Certificate;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
@@ -120,32 +121,50 @@ public final class HeadStore {
    * @throws IOException if it cannot be written; then the former heads stay
    * @throws IllegalArgumentException if the certificate names no member
    */
-  public synchronized Outcome keep(AuditHead head, X509Certificate certificate) throws IOException {
-    KeptHead fresh = KeptHead.of(head, certificate);
-    if (!fresh.isSigned()) {
+  public Outcome keep(AuditHead head, X509Certificate certificate) throws IOException {
+    return keep(List.of(head), certificate).get(0);
+  }
+
+  /**
+   * Keeps those heads of a member that are newer, and writes the file once.
+   *
+   * @param certificate of the member that signed them, which the caller has checked
+   * @return what became of each
+   * @throws IOException if they cannot be written; then the former heads stay
+   * @throws IllegalArgumentException if the certificate names no member
+   */
+  public synchronized List<Outcome> keep(List<AuditHead> offered, X509Certificate certificate)
+      throws IOException {
+    Map<Key, StreamHeads> all = new TreeMap<>(heads);
+    Instant now = clock.instant();
+    List<Outcome> outcomes = new ArrayList<>();
+    for (AuditHead each : offered) {
+      outcomes.add(add(new ReceivedHead(KeptHead.of(each, certificate), now), all));
+    }
+    if (!all.equals(heads)) {
+      write(all);
+      heads.putAll(all);
+    }
+    return outcomes;
+  }
+
+  private static Outcome add(ReceivedHead fresh, Map<Key, StreamHeads> all) {
+    if (!fresh.kept().isSigned()) {
       return Outcome.NOT_SIGNED;
     }
-    Key key = key(fresh);
-    @Nullable StreamHeads known = heads.get(key);
-    if (known == null && isFull(key.member())) {
+    Key key = key(fresh.kept());
+    @Nullable StreamHeads known = all.get(key);
+    if (known == null && isFull(key.member(), all)) {
       return Outcome.FULL;
     }
     StreamHeads before = known == null ? StreamHeads.NONE : known;
-    Outcome outcome = before.outcome(fresh);
-    StreamHeads after = before.with(new ReceivedHead(fresh, clock.instant()));
-    if (!after.equals(before)) {
-      Map<Key, StreamHeads> all = new TreeMap<>(heads);
-      all.put(key, after);
-      write(all);
-      heads.put(key, after);
-    }
-    return outcome;
+    all.put(key, before.with(fresh));
+    return before.outcome(fresh.kept());
   }
 
-  @GuardedBy("this")
-  private boolean isFull(String member) {
-    long own = heads.keySet().stream().filter(each -> each.member().equals(member)).count();
-    return own >= MOST_STREAMS || heads.size() >= MOST_HEADS;
+  private static boolean isFull(String member, Map<Key, StreamHeads> all) {
+    long own = all.keySet().stream().filter(each -> each.member().equals(member)).count();
+    return own >= MOST_STREAMS || all.size() >= MOST_HEADS;
   }
 
   private void write(Map<Key, StreamHeads> all) throws IOException {

@@ -160,9 +160,10 @@ public final class HeadFiles {
     synchronized (THIS_PROCESS) {
       try (FileChannel channel = FileChannel.open(lock, StandardOpenOption.WRITE);
           FileLock unused = channel.lock()) {
-        HeadStore store = HeadStore.open(folder.resolve(KEPT), clock);
-        for (AuditHead each : heads) {
-          report(store.keep(each, certificate), KeptHead.of(each, certificate));
+        List<Outcome> outcomes =
+            HeadStore.open(folder.resolve(KEPT), clock).keep(heads, certificate);
+        for (int i = 0; i < outcomes.size(); i++) {
+          report(outcomes.get(i), KeptHead.of(heads.get(i), certificate));
         }
       }
     }

@@ -18,6 +18,7 @@ import java.util.UUID;
 import java.util.concurrent.Callable;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import net.jini.export.Exporter;
 import net.jini.id.Uuid;
@@ -63,6 +64,7 @@ public final class NewsExchange {
   private final HeadFiles heads;
   private final Supplier<Numbers> own;
   private final String team;
+  private final String ownRobot; // empty for a person
   private final NewsService service;
   private final ThreadPoolExecutor threads =
       BoundedThreads.create("dfra-news-", THREADS, IDLE_SECONDS);
@@ -94,6 +96,7 @@ public final class NewsExchange {
     this.heads = new HeadFiles(state, identity, InstantSource.system());
     this.own = own;
     this.team = identity.member().team();
+    this.ownRobot = identity.robot();
     this.service = new NewsService(files, heads, own);
   }
 
@@ -148,6 +151,9 @@ public final class NewsExchange {
 
   @GuardedBy("this")
   private boolean areHeadsDue(String robot) {
+    if (robot.equals(ownRobot)) {
+      return false; // its head beside its trail proves nothing
+    }
     @Nullable Long tried = headsTried.get(robot);
     return tried == null
         ? headsTried.size() < HeadStore.MOST_HEADS // as many robots can be kept
@@ -170,7 +176,23 @@ public final class NewsExchange {
         if (theirs != null) {
           known.put(process, theirs);
         }
+        notifyAll();
       }
+    }
+  }
+
+  /**
+   * Waits until no exchange is under way, such as at the end of a command.
+   *
+   * @param patience longest time that this waits
+   * @throws InterruptedException if this thread is interrupted
+   */
+  public synchronized void awaitExchanges(Duration patience) throws InterruptedException {
+    long end = System.nanoTime() + patience.toNanos();
+    long left = patience.toNanos();
+    while (!underWay.isEmpty() && left > 0) {
+      TimeUnit.NANOSECONDS.timedWait(this, left);
+      left = end - System.nanoTime();
     }
   }
 
