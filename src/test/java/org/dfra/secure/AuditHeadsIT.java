@@ -48,8 +48,7 @@ class AuditHeadsIT {
               () -> {
                 ok(team.ask(FIRST, "module", "call", "atrv2/warmth", "celsius"));
                 return keeps(kept, "robot atrv1 of field")
-                    && keeps(
-                        team.state(FIRST).resolve("heads/kept.jsonl"), "robot atrv2 of field");
+                    && keeps(team.state(FIRST).resolve("heads/kept.jsonl"), "robot atrv2 of field");
               });
       Path operators = team.state(ANNA).resolve("heads/kept.jsonl");
       await()

@@ -317,7 +317,19 @@ class HiddenPartsTest {
     }
 
     ServiceEvent await(int count) {
-      Awaitility.await().atMost(PATIENCE).untilAsserted(() -> assertThat(events).extracting(each -> each.getServiceID() + " " + each.getTransition() + " " + each.getSequenceNumber()).hasSizeGreaterThanOrEqualTo(count));
+      Awaitility.await()
+          .atMost(PATIENCE)
+          .untilAsserted(
+              () ->
+                  assertThat(events)
+                      .extracting(
+                          each ->
+                              each.getServiceID()
+                                  + " "
+                                  + each.getTransition()
+                                  + " "
+                                  + each.getSequenceNumber())
+                      .hasSizeGreaterThanOrEqualTo(count));
       return events.get(count - 1);
     }
 
