@@ -18,7 +18,7 @@ final class CommandIdentity {
   private static final String AUDIT = "audit";
   private static final Duration END_PATIENCE = Duration.ofMillis(500);
 
-  /** These call nobody, or start robots of their own, which are in no team. */
+  /** These verbs call nobody, or start robots of their own, which are in no team. */
   private static final Set<String> WITHOUT =
       Set.of(
           "security",
@@ -31,6 +31,9 @@ final class CommandIdentity {
           "fuzzy",
           "completion",
           "help");
+
+  /** Those of {@code security} that call robots. */
+  private static final Set<String> SECURITY_WITH = Set.of("publish", "revoke");
 
   /** Stopping is safe: it also goes to robots whose certificate has expired. */
   private static final String STOP = "stop";
@@ -48,7 +51,7 @@ final class CommandIdentity {
    * @throws IllegalStateException if there is one that cannot be used
    */
   static void install(String[] args, Consumer<String> warning) {
-    if (args.length > 0 && !args[0].startsWith("-") && callsOthers(args)) {
+    if (args.length > 0 && !args[0].startsWith("-") && callsRobots(args)) {
       SecureProcess.Installed own =
           SecureProcess.install(SecureProcess.folder(state(List.of(args))), args[0].equals(STOP));
       if (own.mode() == SecurityMode.CLOSED) {
@@ -74,9 +77,9 @@ final class CommandIdentity {
     }
   }
 
-  /** The audit trail is in files, but heads of it can be asked for. */
-  private static boolean callsOthers(String[] args) {
+  private static boolean callsRobots(String[] args) {
     return !WITHOUT.contains(args[0])
+        || (args[0].equals("security") && args.length > 1 && SECURITY_WITH.contains(args[1]))
         || (args[0].equals(AUDIT) && Arrays.stream(args).anyMatch(each -> each.startsWith(FROM)));
   }
 

@@ -149,6 +149,34 @@ public final class NewsExchange {
     }
   }
 
+  /**
+   * Exchanges with a process now, and returns what is in force there. Every call takes 2 s at most;
+   * what the process has just been given is in force there a little later.
+   *
+   * @param process where it exports something
+   * @throws IOException if it cannot be asked, or does not take what the authority has signed
+   */
+  public Numbers exchangeNow(PeerAddress process) throws IOException {
+    TeamNews news = proxy(process);
+    Numbers unused = exchange(news);
+    return news.numbers();
+  }
+
+  private static TeamNews proxy(PeerAddress process) {
+    return (TeamNews)
+        DeadlineILFactory.proxy(
+            new BasicObjectEndpoint(
+                Endpoints.tcpClient(process.host(), process.port()), IDENTITY, false),
+            DEADLINE,
+            NewsExchange.class.getClassLoader(),
+            TeamNews.class);
+  }
+
+  /** What is in force in this process. */
+  public Numbers own() {
+    return own.get();
+  }
+
   @GuardedBy("this")
   private boolean areHeadsDue(String robot) {
     if (robot.equals(ownRobot)) {
@@ -163,7 +191,7 @@ public final class NewsExchange {
   private void exchange(String robot, PeerAddress process, boolean areHeadsDue) {
     Numbers theirs = null;
     try {
-      TeamNews news = of(process);
+      TeamNews news = proxy(process);
       theirs = exchange(news);
       if (areHeadsDue && !heads.isRecent("robot " + robot + " of " + team, RECENT)) {
         exchangeHeads(news);
@@ -196,16 +224,6 @@ public final class NewsExchange {
     }
   }
 
-  private static TeamNews of(PeerAddress process) {
-    return (TeamNews)
-        DeadlineILFactory.proxy(
-            new BasicObjectEndpoint(
-                Endpoints.tcpClient(process.host(), process.port()), IDENTITY, false),
-            DEADLINE,
-            NewsExchange.class.getClassLoader(),
-            TeamNews.class);
-  }
-
   /** Gives another process the ends of the own audit trails, and keeps those of its own. */
   void exchangeHeads(TeamNews other) throws IOException {
     heads.take(other.exchangeHeads(heads.own()));
@@ -219,7 +237,7 @@ public final class NewsExchange {
    * @throws IOException if it does not answer, or with something else
    */
   public static List<KeptHead> keptBy(PeerAddress process, String member) throws IOException {
-    return HeadStore.parse(of(process).keptHeads(member), "the answer of " + process);
+    return HeadStore.parse(proxy(process).keptHeads(member), "the answer of " + process);
   }
 
   /**
