@@ -77,6 +77,7 @@ final class CommandIdentity {
     }
   }
 
+  /** The audit trail is in files, but heads of it can be asked for. */
   private static boolean callsRobots(String[] args) {
     return !WITHOUT.contains(args[0])
         || (args[0].equals("security") && args.length > 1 && SECURITY_WITH.contains(args[1]))

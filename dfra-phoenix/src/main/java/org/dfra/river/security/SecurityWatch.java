@@ -46,8 +46,11 @@ final class SecurityWatch implements Runnable {
   @GuardedBy("this")
   private List<Object> revokedState;
 
-  private boolean hasSigned; // by the thread
-  private long signed; // likewise; by System.nanoTime
+  @GuardedBy("this")
+  private boolean hasSigned;
+
+  @GuardedBy("this")
+  private long signed; // by System.nanoTime
 
   private SecurityWatch(Path folder, ProcessIdentity identity) {
     this.folder = folder;
@@ -84,11 +87,22 @@ final class SecurityWatch implements Runnable {
     while (true) {
       LockSupport.parkNanos(this, PERIOD_NANOS);
       look();
+    }
+  }
+
+  /** Looks now. */
+  synchronized void look() {
+    try {
+      lookAtRevoked();
+      lookAtPolicy();
       signHeadIfDue();
+    } catch (RuntimeException e) { // the next change counts all the same
+      LOG.error("A change of {} was not noticed.", folder, e);
     }
   }
 
   /** Soon after the audit trail has begun, and then in each period. */
+  @GuardedBy("this")
   private void signHeadIfDue() {
     Optional<NewsExchange> news = SecureProcess.news();
     if (news.isEmpty() || !identity.hasHead()) {
@@ -99,16 +113,6 @@ final class SecurityWatch implements Runnable {
       hasSigned = true;
       signed = now;
       news.get().publishHead(identity::head);
-    }
-  }
-
-  /** Looks now. */
-  synchronized void look() {
-    try {
-      lookAtRevoked();
-      lookAtPolicy();
-    } catch (RuntimeException e) { // the next change counts all the same
-      LOG.error("A change of {} was not noticed.", folder, e);
     }
   }
 

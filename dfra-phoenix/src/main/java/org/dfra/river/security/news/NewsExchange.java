@@ -157,19 +157,9 @@ public final class NewsExchange {
    * @throws IOException if it cannot be asked, or does not take what the authority has signed
    */
   public Numbers exchangeNow(PeerAddress process) throws IOException {
-    TeamNews news = proxy(process);
+    TeamNews news = of(process);
     Numbers unused = exchange(news);
     return news.numbers();
-  }
-
-  private static TeamNews proxy(PeerAddress process) {
-    return (TeamNews)
-        DeadlineILFactory.proxy(
-            new BasicObjectEndpoint(
-                Endpoints.tcpClient(process.host(), process.port()), IDENTITY, false),
-            DEADLINE,
-            NewsExchange.class.getClassLoader(),
-            TeamNews.class);
   }
 
   /** What is in force in this process. */
@@ -191,7 +181,7 @@ public final class NewsExchange {
   private void exchange(String robot, PeerAddress process, boolean areHeadsDue) {
     Numbers theirs = null;
     try {
-      TeamNews news = proxy(process);
+      TeamNews news = of(process);
       theirs = exchange(news);
       if (areHeadsDue && !heads.isRecent("robot " + robot + " of " + team, RECENT)) {
         exchangeHeads(news);
@@ -224,6 +214,16 @@ public final class NewsExchange {
     }
   }
 
+  private static TeamNews of(PeerAddress process) {
+    return (TeamNews)
+        DeadlineILFactory.proxy(
+            new BasicObjectEndpoint(
+                Endpoints.tcpClient(process.host(), process.port()), IDENTITY, false),
+            DEADLINE,
+            NewsExchange.class.getClassLoader(),
+            TeamNews.class);
+  }
+
   /** Gives another process the ends of the own audit trails, and keeps those of its own. */
   void exchangeHeads(TeamNews other) throws IOException {
     heads.take(other.exchangeHeads(heads.own()));
@@ -237,7 +237,7 @@ public final class NewsExchange {
    * @throws IOException if it does not answer, or with something else
    */
   public static List<KeptHead> keptBy(PeerAddress process, String member) throws IOException {
-    return HeadStore.parse(proxy(process).keptHeads(member), "the answer of " + process);
+    return HeadStore.parse(of(process).keptHeads(member), "the answer of " + process);
   }
 
   /**
