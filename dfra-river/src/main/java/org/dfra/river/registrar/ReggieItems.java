@@ -119,9 +119,24 @@ final class ReggieItems {
     return ReggieFields.present(serviceType, item);
   }
 
+  /** Where the type of an item is loaded from; null if clients must have it. */
+  @Nullable Object typeCodebase(Object item) {
+    return ReggieFields.value(codebase, item);
+  }
+
   /** The marshalled proxy of an item. */
   Object service(Object item) {
     return ReggieFields.present(service, item);
+  }
+
+  /** The identifier that a requested item names; null if reggie is to choose one. */
+  @Nullable ServiceID requestedId(Object item) {
+    return (ServiceID) ReggieFields.value(id, item);
+  }
+
+  /** The marshalled proxy of a requested item; null if it has none, which reggie refuses. */
+  @Nullable Object requestedService(Object item) {
+    return ReggieFields.value(service, item);
   }
 
   /** A copy of an entry with another class and other fields. */

@@ -19,14 +19,15 @@ final class ReggieMatcher {
   private final Method addTypes;
   private final Field templateEntries;
   private final Field templateTypes;
-  private final Field serviceType;
-  private final Field codebase;
+  private final ReggieItems items;
 
   /**
    * @param registrar reggie's class
+   * @param items the parts of its items
    * @throws ReflectiveOperationException if that is not of reggie 2.2.2
    */
-  ReggieMatcher(Class<?> registrar) throws ReflectiveOperationException {
+  ReggieMatcher(Class<?> registrar, ReggieItems items) throws ReflectiveOperationException {
+    this.items = items;
     @Nullable ClassLoader loader = registrar.getClassLoader();
     Class<?> template = Class.forName("com.sun.jini.reggie.Template", false, loader);
     Class<?> item = Class.forName("com.sun.jini.reggie.Item", false, loader);
@@ -47,8 +48,6 @@ final class ReggieMatcher {
             String.class);
     templateEntries = ReggieFields.accessible(template, "attributeSetTemplates");
     templateTypes = ReggieFields.accessible(template, "serviceTypes");
-    serviceType = ReggieFields.accessible(item, "serviceType");
-    codebase = ReggieFields.accessible(item, "codebase");
   }
 
   /** Whether an item matches a template. */
@@ -86,8 +85,8 @@ final class ReggieMatcher {
             codebases,
             ReggieFields.value(templateTypes, template),
             prefix,
-            ReggieFields.value(serviceType, item),
-            ReggieFields.value(codebase, item));
+            items.serviceType(item),
+            items.typeCodebase(item));
   }
 
   /**

@@ -39,22 +39,21 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
   private final Field maxListenerLease;
   private final Field serviceEnd; // milliseconds of the system clock
   private final Field listenerEnd;
-  private final Field item; // of a registered service; the following are the item's
-  private final Field id;
-  private final Field proxy;
-  private final Field entries;
+  private final Field item; // of a registered service
+  private final ReggieItems items;
 
   /**
    * @param reggie the lookup service
+   * @param items the parts of its items
    * @throws ReflectiveOperationException if it is not reggie 2.2.2
    */
-  ReggieState(Object reggie) throws ReflectiveOperationException {
+  ReggieState(Object reggie, ReggieItems items) throws ReflectiveOperationException {
     this.reggie = reggie;
+    this.items = items;
     Class<?> type = ReggieFields.owner(reggie);
     ClassLoader loader = type.getClassLoader();
     Class<?> service = Class.forName(type.getName() + "$SvcReg", false, loader);
     Class<?> listener = Class.forName(type.getName() + "$EventReg", false, loader);
-    Class<?> items = Class.forName("com.sun.jini.reggie.Item", false, loader);
     lock = (ReadersWriter) ReggieFields.accessible(type, "concurrentObj").get(reggie);
     services = (Map<?, ?>) ReggieFields.accessible(type, "serviceByID").get(reggie);
     listeners = (Map<?, ?>) ReggieFields.accessible(type, "eventByID").get(reggie);
@@ -67,9 +66,6 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
     serviceEnd = ReggieFields.accessible(service, "leaseExpiration");
     listenerEnd = ReggieFields.accessible(listener, "leaseExpiration");
     item = ReggieFields.accessible(service, "item");
-    id = ReggieFields.accessible(items, "serviceID");
-    proxy = ReggieFields.accessible(items, "service");
-    entries = ReggieFields.accessible(items, "attributeSets");
   }
 
   @Override
@@ -89,12 +85,10 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
       long now = System.currentTimeMillis();
       for (K each : among) {
         Object registration = registrations.get(each);
-        if (registration != null && end.getLong(registration) > now) {
+        if (registration != null && ReggieFields.number(end, registration) > now) {
           live.add(each);
         }
       }
-    } catch (IllegalAccessException e) {
-      throw new AssertionError(e); // it was made accessible
     } finally {
       lock.readUnlock();
     }
@@ -107,14 +101,12 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
     lock.readLock();
     try {
       for (Object each : services.values()) {
-        Object held = item.get(each);
-        if (serviceEnd.getLong(each) != Long.MAX_VALUE
-            && id.get(held) instanceof ServiceID service) {
+        Object held = ReggieFields.present(item, each);
+        @Nullable ServiceID service = items.requestedId(held);
+        if (ReggieFields.number(serviceEnd, each) != Long.MAX_VALUE && service != null) {
           all.add(new StoredService(service, held));
         }
       }
-    } catch (IllegalAccessException e) {
-      throw new AssertionError(e); // it was made accessible
     } finally {
       lock.readUnlock();
     }
@@ -246,37 +238,22 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
    * @return null if the identifier is free
    */
   @Nullable ServiceID effectiveId(Object requested) {
-    try {
-      if (id.get(requested) instanceof ServiceID own) {
-        return own;
-      }
-      Object same = proxy.get(requested);
-      if (same == null) {
-        return null; // reggie refuses it
-      }
-      lock.readLock();
-      try {
-        for (Object each : services.values()) {
-          Object held = item.get(each);
-          if (same.equals(proxy.get(held))) {
-            return (ServiceID) id.get(held);
-          }
-        }
-        return null;
-      } finally {
-        lock.readUnlock();
-      }
-    } catch (IllegalAccessException e) {
-      throw new AssertionError(e); // it was made accessible
+    @Nullable ServiceID own = items.requestedId(requested);
+    @Nullable Object same = items.requestedService(requested);
+    if (own != null || same == null) {
+      return own;
     }
-  }
-
-  /** The entries of an item in reggie's form; null for none. */
-  Object @Nullable [] entries(Object of) {
+    lock.readLock();
     try {
-      return (Object @Nullable []) entries.get(of);
-    } catch (IllegalAccessException e) {
-      throw new AssertionError(e); // it was made accessible
+      for (Object each : services.values()) {
+        Object held = ReggieFields.present(item, each);
+        if (same.equals(items.service(held))) {
+          return items.serviceId(held);
+        }
+      }
+      return null;
+    } finally {
+      lock.readUnlock();
     }
   }
 }

@@ -94,16 +94,16 @@ final class RegistrarDispatcher extends GuardedDispatcher {
     @Nullable String host = ListeningHost.of(capabilities);
     try {
       this.own = OwnAddresses.exportedAt(host);
-      this.state = new ReggieState(reggie);
       @Nullable ClassLoader its = ReggieFields.owner(reggie).getClassLoader();
+      this.items = new ReggieItems(its);
+      this.state = new ReggieState(reggie, items);
       EntryDescriptorReader descriptors = new EntryDescriptorReader(its);
       this.claims = new RobotClaimReader(its, descriptors);
       this.arguments = new ReggieArgumentValidator(its, state, descriptors);
-      this.items = new ReggieItems(its);
       this.lookup =
           new VisibleLookup(
               state,
-              new ReggieMatcher(ReggieFields.owner(reggie)),
+              new ReggieMatcher(ReggieFields.owner(reggie), items),
               items,
               new VisibleItems(its, items, claims, descriptors));
     } catch (UnknownHostException e) {
@@ -216,7 +216,7 @@ final class RegistrarDispatcher extends GuardedDispatcher {
     RegistrationOrigin from = source(context);
     Object item = args[0];
     refusing(() -> arguments.check(method.getName(), args)); // others may have registered since
-    boolean namesRobot = namesRobot(state.entries(item));
+    boolean namesRobot = namesRobot(items.entries(item));
     @Nullable ServiceID id = state.effectiveId(item);
     long bytes = size(from, item);
     refusing(() -> rules.checkService(from, id, namesRobot, bytes));
@@ -316,7 +316,7 @@ final class RegistrarDispatcher extends GuardedDispatcher {
     }
     restored = true;
     for (ReggieState.StoredService each : state.services()) {
-      Object @Nullable [] entries = state.entries(each.item());
+      Object[] entries = items.entries(each.item());
       boolean namesRobot = namesRobot(entries);
       RegistrationOrigin presumed = // the host is the registrant's own claim, so never the robot's
           namesRobot
