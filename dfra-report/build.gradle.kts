@@ -2,7 +2,6 @@ dependencies {
     api(project(":dfra-behaviors"))
     api(rootProject.libs.picocli)
     implementation(rootProject.libs.jackson.databind)
-    implementation(rootProject.libs.jackson.datatype.jsr310)
     implementation(rootProject.libs.jackson.datatype.jdk8)
     // A module that draws plots adds it, as dfra-examples does. A robot has the tables without the plots.
     compileOnly(rootProject.libs.xchart)

@@ -41,7 +41,7 @@ class CommandLineTest {
         "--frobnicate | unknown option: '--frobnicate'; see: ./dfra --help",
         "demo nonesuch"
             + " | there is no demonstration \"nonesuch\"; there is raster, recruit, devices,"
-            + " persona, foundation; see: ./dfra demo --help",
+            + " persona, security, foundation; see: ./dfra demo --help",
         "demo --frobnicate | unknown option: '--frobnicate'; see: ./dfra demo --help",
         "up --port=abc" + " | --port=abc is not a whole number; see: ./dfra up --help",
         "up --port=0 | --port=0 is not a port from 1 to 65535; see: ./dfra up --help",

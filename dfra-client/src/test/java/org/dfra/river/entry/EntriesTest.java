@@ -14,6 +14,7 @@ import java.util.stream.Stream;
 import net.jini.core.entry.Entry;
 import net.jini.io.MarshalledInstance;
 import net.jini.lookup.entry.Name;
+import org.assertj.core.api.InstanceOfAssertFactories;
 import org.dfra.lifecycle.Readiness;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.BehaviorAttributes;
@@ -195,17 +196,36 @@ class EntriesTest {
 
   /** A registrar would not see which robot it names. */
   @Test
-  void aModuleWithoutHostOrStateIsLeftOut() {
-    for (String field : List.of("host", "state")) {
+  void aModuleWithoutRobotNameOrStateIsLeftOut() {
+    for (String field : List.of("robot", "name", "state")) {
       ModuleEntry entry = (ModuleEntry) Entries.toEntries(List.of(MODULE))[0];
       assertThat(Entries.toAttributes(new Entry[] {entry})).containsExactly(MODULE);
-      if (field.equals("host")) {
-        entry.host = null;
-      } else {
-        entry.state = null;
+      switch (field) {
+        case "robot" -> entry.robot = null;
+        case "name" -> entry.name = null;
+        default -> entry.state = null;
       }
       assertThat(Entries.toAttributes(new Entry[] {entry})).as("without %s", field).isEmpty();
     }
+  }
+
+  /** A policy may hide the host and others from a client, which still finds the module. */
+  @Test
+  void whatALookupServiceDoesNotShowIsUnknown() {
+    ModuleEntry entry = (ModuleEntry) Entries.toEntries(List.of(MODULE))[0];
+    entry.host = null;
+    entry.driver = null;
+    entry.clients = null;
+    assertThat(Entries.toAttributes(new Entry[] {entry}))
+        .singleElement(InstanceOfAssertFactories.type(ModuleAttributes.class))
+        .satisfies(
+            module -> {
+              assertThat(module.path()).isEqualTo(MODULE.path());
+              assertThat(module.state()).isEqualTo(MODULE.state());
+              assertThat(module.host()).isEmpty();
+              assertThat(module.driver()).isEmpty();
+              assertThat(module.clients()).isZero();
+            });
   }
 
   @Test

@@ -25,7 +25,7 @@ import org.jspecify.annotations.Nullable;
 final class MemberCommands {
 
   private static final String OURS = "DFRA_";
-  private static final int WIDTH = 75;
+  private static final int WIDTH = 90;
   private static final String LIB = "dfra.lib";
 
   private final DemoEnvironment environment;

@@ -26,7 +26,7 @@ import org.dfra.river.server.Exporters;
 final class PretendedGps implements AutoCloseable {
 
   private static final long DEADLINE_MILLIS = 2_000;
-  private static final long LEASE_MILLIS = 300_000;
+  private static final long LEASE_MILLIS = 3_600_000; // longer than a demonstration, if granted
 
   private final AtomicInteger calls = new AtomicInteger();
   private final UUID id = UUID.randomUUID();

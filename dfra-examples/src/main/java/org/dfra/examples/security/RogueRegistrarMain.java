@@ -5,6 +5,9 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
+import net.jini.core.lookup.ServiceID;
 import net.jini.core.lookup.ServiceTemplate;
 import org.dfra.examples.harness.DemoEnvironment;
 import org.dfra.river.bootstrap.EmbeddedRegistrar;
@@ -17,8 +20,7 @@ import org.dfra.river.loading.TrustedCode;
  */
 public final class RogueRegistrarMain {
 
-  private static final Duration LEASE = Duration.ofMinutes(10);
-  private static final int OWN = 2; // the lookup service itself and the receiver
+  private static final Duration LEASE = Duration.ofHours(1);
   private static final int MOST = 256;
 
   private RogueRegistrarMain() {}
@@ -39,10 +41,14 @@ public final class RogueRegistrarMain {
       while (System.in.read() >= 0) {
         // until its end
       }
-      int services =
-          registrar.registrar().lookup(new ServiceTemplate(null, null, null), MOST).totalMatches;
+      Set<ServiceID> own =
+          Set.of(registrar.registrar().getServiceID(), receiver.serviceId()); // lists itself too
+      long others =
+          Stream.of(registrar.registrar().lookup(new ServiceTemplate(null, null, null), MOST).items)
+              .filter(each -> !own.contains(each.serviceID))
+              .count();
       System.out.write(
-          (receiver.calls() + " " + (services - OWN) + "\n").getBytes(StandardCharsets.US_ASCII));
+          (receiver.calls() + " " + others + "\n").getBytes(StandardCharsets.US_ASCII));
       System.out.flush();
     }
     System.exit(0); // the lookup service has threads of its own

@@ -49,7 +49,7 @@ public final class SecurityDemo implements Demo {
   private static final Duration TO_A_TEAM = Duration.ofSeconds(60);
 
   /** Seconds of the robots' time per second: commands run beside the robots. */
-  private static final double SPEED = 1.25;
+  private static final double SPEED = 2;
 
   private static final String SCHEME = "jini://";
 

@@ -12,12 +12,15 @@ import com.fasterxml.jackson.databind.deser.std.StdDeserializer;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.module.SimpleModule;
 import com.fasterxml.jackson.databind.ser.std.StdSerializer;
+import com.fasterxml.jackson.databind.ser.std.ToStringSerializer;
 import com.fasterxml.jackson.datatype.jdk8.Jdk8Module;
-import com.fasterxml.jackson.datatype.jsr310.JavaTimeModule;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.reflect.Type;
 import java.time.Duration;
+import java.time.Instant;
+import java.time.format.DateTimeParseException;
+import java.time.temporal.Temporal;
 import org.dfra.text.PrintableText;
 
 /**
@@ -29,14 +32,13 @@ final class Json {
 
   private static final ObjectMapper MAPPER =
       JsonMapper.builder()
-          .addModule(new JavaTimeModule())
+          .addModule(new Times())
           .addModule(new Jdk8Module())
           .addModule(new Durations())
           .addModule(
               new SimpleModule("numbers that are known")
                   .addSerializer(Double.class, new Known())
                   .addSerializer(Double.TYPE, new Known()))
-          .disable(SerializationFeature.WRITE_DATES_AS_TIMESTAMPS)
           .disable(SerializationFeature.FAIL_ON_EMPTY_BEANS)
           .build();
 
@@ -92,6 +94,38 @@ final class Json {
         out.writeNull();
       } else {
         out.writeNumber(value);
+      }
+    }
+  }
+
+  /** Instants, dates and times in ISO 8601; only instants are read. */
+  private static final class Times extends SimpleModule {
+
+    private static final long serialVersionUID = 1L;
+
+    Times() {
+      super("times in ISO 8601");
+      addSerializer(Temporal.class, new ToStringSerializer(Temporal.class));
+      addDeserializer(Instant.class, new FromIso());
+    }
+  }
+
+  private static final class FromIso extends StdDeserializer<Instant> {
+
+    private static final long serialVersionUID = 1L;
+
+    FromIso() {
+      super(Instant.class);
+    }
+
+    @Override
+    public Instant deserialize(JsonParser in, DeserializationContext context) throws IOException {
+      String text = in.getText();
+      try {
+        return Instant.parse(text);
+      } catch (DateTimeParseException e) {
+        return (Instant)
+            context.handleWeirdStringValue(Instant.class, text, "it is no instant in ISO 8601");
       }
     }
   }
