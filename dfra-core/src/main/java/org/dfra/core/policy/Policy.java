@@ -1,6 +1,7 @@
 package org.dfra.core.policy;
 
 import java.util.List;
+import org.dfra.core.budget.Budgets;
 import org.dfra.core.config.SourceLocation;
 
 /**
@@ -10,12 +11,18 @@ import org.dfra.core.config.SourceLocation;
  * @param team the team whose members it is about; members of other teams are strangers
  * @param version 0 or more; a later policy has a higher one
  * @param rules in their order
+ * @param budgets what callers and modules may use
  * @param digest SHA-256 of the text that it was read from, as hexadecimal digits: two policies with
  *     the same digest are the same
  * @param place its file
  */
 public record Policy(
-    String team, long version, List<PolicyRule> rules, String digest, SourceLocation place) {
+    String team,
+    long version,
+    List<PolicyRule> rules,
+    Budgets budgets,
+    String digest,
+    SourceLocation place) {
 
   /** The name of the decision about calls that no rule matches. */
   public static final String DEFAULT_RULE = "default";

@@ -26,6 +26,9 @@ public final class PolicyXml {
   /** The most rules of a policy. */
   public static final int MAX_RULES = 500;
 
+  /** The most budgets and radios of a policy: each may be about every call. */
+  public static final int MAX_BUDGETS = 50;
+
   private static final XmlSchema SCHEMA =
       new XmlSchema("policy", "urn:dfra:policy:1", PolicyXml.class, "policy.xsd");
 

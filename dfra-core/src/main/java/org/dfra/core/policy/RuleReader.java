@@ -19,7 +19,10 @@ import org.dfra.security.MemberRole;
 import org.jdom2.Element;
 import org.jspecify.annotations.Nullable;
 
-/** Reads one {@code <permit>} or {@code <deny>}, and records its faults. */
+/**
+ * Reads one {@code <permit>} or {@code <deny>}, and records its faults. {@link BudgetReader} uses
+ * it for the attributes that budgets have too.
+ */
 final class RuleReader {
 
   private static final String ANY = "*";
@@ -66,6 +69,11 @@ final class RuleReader {
             new PolicyRule(name, effect, callers, calls, held, obligations, values.place(element)));
   }
 
+  /** Whether a fault was recorded. */
+  boolean isFaulty() {
+    return isFaulty;
+  }
+
   private void fault(@Nullable String sentence) {
     values.check(element, sentence);
     isFaulty |= sentence != null;
@@ -82,7 +90,8 @@ final class RuleReader {
     return written;
   }
 
-  private CallerCriteria callers() {
+  /** The callers that it is about. */
+  CallerCriteria callers() {
     Set<Standing> standings = constants("standing", RuleReader::standing);
     String same = element.getAttributeValue("same-robot");
     boolean isWord = same == null || same.equals("yes") || same.equals("no");
@@ -128,7 +137,8 @@ final class RuleReader {
     return items;
   }
 
-  private NamePattern names(String attribute) {
+  /** The names of an attribute; all if it is absent. */
+  NamePattern names(String attribute) {
     String written = element.getAttributeValue(attribute);
     if (written == null) {
       return NamePattern.ANY;

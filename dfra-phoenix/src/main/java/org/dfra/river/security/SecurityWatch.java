@@ -16,6 +16,8 @@ import org.dfra.core.policy.PolicyReplacementException;
 import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.SecurityFiles;
 import org.dfra.river.identity.SignedFiles;
+import org.dfra.river.security.budget.ProcessBudgets;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -36,10 +38,12 @@ final class SecurityWatch implements Runnable {
   private final Path revokedFile;
   private final Path folder;
   private final ProcessIdentity identity;
+  private final @Nullable ProcessBudgets budgets;
   private List<Object> policyState;
   private List<Object> revokedState;
 
-  private SecurityWatch(Path folder, ProcessIdentity identity) {
+  private SecurityWatch(Path folder, ProcessIdentity identity, @Nullable ProcessBudgets budgets) {
+    this.budgets = budgets;
     this.folder = folder;
     this.policyFile = folder.resolve(SecurityFiles.POLICY);
     this.revokedFile = folder.resolve(SecurityFiles.REVOKED);
@@ -48,9 +52,13 @@ final class SecurityWatch implements Runnable {
     this.revokedState = state(revokedFile);
   }
 
-  /** Starts to watch what has just been loaded. */
-  static void start(Path folder, ProcessIdentity identity) {
-    Thread thread = new Thread(new SecurityWatch(folder, identity), "dfra-security");
+  /**
+   * Starts to watch what has just been loaded.
+   *
+   * @param budgets of the process, null if it has none
+   */
+  static void start(Path folder, ProcessIdentity identity, @Nullable ProcessBudgets budgets) {
+    Thread thread = new Thread(new SecurityWatch(folder, identity, budgets), "dfra-security");
     thread.setDaemon(true);
     thread.start();
   }
@@ -115,6 +123,9 @@ final class SecurityWatch implements Runnable {
       Optional<Policy> next = ProcessIdentity.stored(folder, identity.authority());
       if (next.isPresent() && identity.policy().replace(next.get())) {
         LOG.info("{} is in force.", next.get());
+        if (budgets != null) {
+          budgets.policyChanged();
+        }
         identity.record(AuditEvent.policyReplaced(next.get().version(), policyFile.toString()));
       }
     } catch (IOException | ConfigurationException | PolicyReplacementException e) {

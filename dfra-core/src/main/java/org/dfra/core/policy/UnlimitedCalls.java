@@ -1,0 +1,71 @@
+package org.dfra.core.policy;
+
+import java.lang.reflect.Method;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Predicate;
+import org.dfra.security.AccessRequest;
+import org.dfra.security.Caller.Standing;
+
+/**
+ * The calls that no budget refuses or slows: emergency stops, what lets a robot stand or keeps a
+ * lease, how a member finds the robots that it wants to stop, and everything that a robot's own
+ * processes call.
+ */
+public final class UnlimitedCalls implements Predicate<AccessRequest> {
+
+  private static final Set<String> LEASES =
+      Set.of(
+          "renew",
+          "renewAll",
+          "cancel",
+          "cancelAll",
+          "renewServiceLease",
+          "cancelServiceLease",
+          "renewEventLease",
+          "cancelEventLease",
+          "renewLeases",
+          "cancelLeases");
+
+  private static final Set<String> STANDING =
+      Set.of("pause", "pauseUnattended", "cancel", "cancelUnattended");
+
+  private static final Set<String> FINDING = Set.of("lookup", "getServiceProxy");
+
+  private static final int MAX_KNOWN = 10_000;
+
+  private final ConcurrentHashMap<TypedMethod, Boolean> known = new ConcurrentHashMap<>();
+
+  private record TypedMethod(Class<?> type, Method method) {}
+
+  @Override
+  public boolean test(AccessRequest request) {
+    if (request.caller().standing() == Standing.OWN) {
+      return true;
+    }
+    TypedMethod key = new TypedMethod(request.type(), request.method());
+    Boolean found = known.get(key);
+    if (found == null) {
+      if (known.size() >= MAX_KNOWN) {
+        known.clear();
+      }
+      found = isUnlimited(request.type(), request.method());
+      known.put(key, found);
+    }
+    // A stranger stops nobody, so it need not find anybody to stop.
+    return found
+        && (request.caller().standing() != Standing.STRANGER
+            || !FINDING.contains(request.method().getName()));
+  }
+
+  private static boolean isUnlimited(Class<?> type, Method method) {
+    String name = method.getName();
+    return switch (MethodKinds.of(type, method).kind()) {
+      case STOP -> true;
+      case LEASE -> LEASES.contains(name);
+      case COMMAND -> STANDING.contains(name);
+      case READ -> FINDING.contains(name);
+      default -> false;
+    };
+  }
+}
