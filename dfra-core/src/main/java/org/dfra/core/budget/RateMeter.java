@@ -23,7 +23,8 @@ final class RateMeter {
   private double free;
   private long filled;
   private final double[] cells = new double[WINDOW_SECONDS + 1]; // one for each second
-  private long second;
+  private final long born;
+  private long second; // since then
 
   /**
    * @param limit per second; may be infinite
@@ -34,7 +35,7 @@ final class RateMeter {
     this.capacity = Math.max(limit, least);
     this.free = capacity;
     this.filled = now;
-    this.second = Math.floorDiv(now, (long) NANOS);
+    this.born = now;
   }
 
   /** Until an amount is free, in nanoseconds; 0 if it is now. */
@@ -87,11 +88,11 @@ final class RateMeter {
 
   /** The cell of a time, after the cells of the seconds without use are emptied. */
   private int cell(long now) {
-    long current = Math.floorDiv(now, (long) NANOS);
+    long current = (long) ((now - born) / NANOS);
     for (long each = Math.max(second + 1, current - cells.length + 1); each <= current; each++) {
-      cells[Math.floorMod(each, cells.length)] = 0;
+      cells[(int) (each % cells.length)] = 0;
     }
     second = Math.max(second, current);
-    return Math.floorMod(second, cells.length);
+    return (int) (second % cells.length);
   }
 }

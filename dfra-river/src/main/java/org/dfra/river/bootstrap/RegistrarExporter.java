@@ -71,11 +71,11 @@ public final class RegistrarExporter implements Exporter {
     return proxy;
   }
 
-  /** At the port of the lookup service, since its group may have no module. */
+  /** Its group may have no module that does. */
   private static void exportBudgets(@Nullable PeerAddress here) throws ExportException {
     Optional<ProcessBudgets> budgets = SecureProcess.budgets();
     if (here != null && budgets.isPresent()) {
-      budgets.get().export(here.host(), here.port());
+      budgets.get().export(here.host());
     }
   }
 

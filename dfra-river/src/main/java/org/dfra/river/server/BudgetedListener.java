@@ -7,6 +7,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
+import java.util.function.IntSupplier;
+import java.util.function.LongConsumer;
 import java.util.function.LongSupplier;
 import net.jini.export.ServerContext;
 import org.dfra.core.budget.BudgetExceededException;
@@ -34,8 +36,8 @@ final class BudgetedListener implements BatchListener {
 
   private final BatchListener listener;
   private final ListenerShare share;
-  private final ProcessBudgets budgets;
-  private final boolean isOnRadio;
+  private final IntSupplier radio;
+  private final LongConsumer notSent;
   private final LongSupplier nanos;
   private long count;
   private long dropped;
@@ -44,19 +46,20 @@ final class BudgetedListener implements BatchListener {
 
   /**
    * @param share what it may use
-   * @param isOnRadio whether its events leave this computer
+   * @param radio the n of which every n-th reading is sent
+   * @param notSent counts readings that are not sent because of it
    * @param nanos a monotonic clock in nanoseconds
    */
   BudgetedListener(
       BatchListener listener,
       ListenerShare share,
-      ProcessBudgets budgets,
-      boolean isOnRadio,
+      IntSupplier radio,
+      LongConsumer notSent,
       LongSupplier nanos) {
     this.listener = listener;
     this.share = share;
-    this.budgets = budgets;
-    this.isOnRadio = isOnRadio;
+    this.radio = radio;
+    this.notSent = notSent;
     this.nanos = nanos;
   }
 
@@ -101,7 +104,7 @@ final class BudgetedListener implements BatchListener {
 
   @Override
   public void notify(List<Delivery> deliveries) throws RemoteException {
-    int oneIn = isOnRadio ? budgets.oneIn(share.priority()) : 1;
+    int oneIn = radio.getAsInt();
     boolean isCounted = share.isCounted();
     boolean isOut = isCounted && share.isOutOfBytes();
     long before = isCounted ? TransportTraffic.bytesOfThread() : 0;
@@ -130,7 +133,7 @@ final class BudgetedListener implements BatchListener {
         share.count(TransportTraffic.bytesOfThread() - before, thinned);
       }
       if (thinned > 0 && oneIn > 1) {
-        budgets.countThinned(thinned);
+        notSent.accept(thinned);
       }
     }
   }

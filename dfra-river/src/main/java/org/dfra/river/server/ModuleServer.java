@@ -294,7 +294,7 @@ public abstract class ModuleServer<M extends Module>
   private void exportSecurity() throws ExportException {
     Optional<ProcessBudgets> budgets = SecureProcess.budgets();
     if (budgets.isPresent()) {
-      budgets.get().export(activation.host(), 0);
+      budgets.get().export(activation.host());
     }
     Optional<NewsExchange> news = SecureProcess.news();
     if (news.isPresent()) {

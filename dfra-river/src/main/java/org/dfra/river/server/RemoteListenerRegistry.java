@@ -166,7 +166,13 @@ final class RemoteListenerRegistry {
     }
     @Nullable PeerAddress to = PeerAddress.of(remote);
     boolean isOnRadio = to == null || BudgetedListener.leavesComputer(to.host(), host);
-    return new BudgetedListener(calls, share, budgets.get(), isOnRadio, System::nanoTime);
+    ProcessBudgets process = budgets.get();
+    return new BudgetedListener(
+        calls,
+        share,
+        isOnRadio ? () -> process.oneIn(share.priority()) : () -> 1,
+        process::countThinned,
+        System::nanoTime);
   }
 
   /** Also for one that is being removed: ending its lease calls this again, without effect. */

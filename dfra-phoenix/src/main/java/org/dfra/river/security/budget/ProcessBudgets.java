@@ -54,7 +54,7 @@ public final class ProcessBudgets implements BudgetMonitor {
   private boolean isMeasuring;
 
   @GuardedBy("this")
-  private final Set<PeerAddress> exported = new HashSet<>();
+  private final Set<String> exported = new HashSet<>(); // hosts
 
   /**
    * @param state the state folder, which all processes of the computer's robots share
@@ -130,16 +130,15 @@ public final class ProcessBudgets implements BudgetMonitor {
   }
 
   /**
-   * Exports {@link BudgetMonitor} at a port of this process. Does nothing the second time.
+   * Exports {@link BudgetMonitor} at the port of everything else that this process exports at a
+   * host. Does nothing the second time.
    *
    * @param host address of this computer, as in its proxies
-   * @param port 0 for that of everything else that this process exports at the host
    */
-  public synchronized void export(String host, int port) throws ExportException {
-    if (exported.add(new PeerAddress(host, port))) {
+  public synchronized void export(String host) throws ExportException {
+    if (exported.add(host)) {
       Exporter exporter =
-          JeriExporters.notKeepingAlive(
-              Endpoints.tcp(host, port), new DeadlineILFactory(), IDENTITY);
+          JeriExporters.notKeepingAlive(Endpoints.tcp(host, 0), new DeadlineILFactory(), IDENTITY);
       Remote unused = exporter.export(this);
     }
   }
