@@ -17,11 +17,15 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import org.dfra.core.policy.BuiltInPolicies;
 import org.dfra.drive.Wheels;
+import org.dfra.event.Delivery;
 import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.ModuleListener;
 import org.dfra.event.Subscription;
 import org.dfra.flow.sensor.GPSSensor;
+import org.dfra.flow.sensor.OdometrySensor;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.NotReadyException;
+import org.dfra.river.call.CallbackHost;
 import org.dfra.security.AccessRefusedException;
 import org.dfra.sim.device.gps.M12Emulator;
 import org.dfra.sim.device.gps.M12EmulatorSettings;
@@ -46,10 +50,12 @@ class BudgetIT {
       """
         <budget name="observers" role="observer" calls="40/s" bytes="100kB/s" listeners="3"/>
         <budget name="operators" role="operator" calls="5000/s"/>
+        <radio max="2kB/s"/>
       """;
   private static final int CALLS_PER_SECOND = 40;
   private static final Duration FLOOD = Duration.ofSeconds(4);
   private static final int OPERATORS_CALLS = 200;
+  private static final long SLACK_MICROS = 20_000; // other tests use the processors too
 
   @TempDir static Path folder;
 
@@ -75,7 +81,8 @@ class BudgetIT {
             "all",
             TeamRobots.registrar(),
             TeamRobots.gps(receiver.url()),
-            TeamRobots.drive(wheels.url())));
+            TeamRobots.drive(wheels.url()),
+            odometry(wheels.url())));
     team.init();
     Path policy = team.state(ANNA).resolve("authority").resolve("policy.xml");
     String standard = BuiltInPolicies.standardText("field", 5);
@@ -97,6 +104,16 @@ class BudgetIT {
       receiver.close();
       wheels.close();
     }
+  }
+
+  /** Ten readings a second. */
+  private static String odometry(String link) {
+    return """
+    <module name="odometry" properties="%s/config/modules/rflex-odometry.properties">
+      <parameter name="link" value="%s"/>
+    </module>
+    """
+        .formatted(System.getProperty("dfra.root"), link);
   }
 
   private static GPSSensor gps(MemberCalls who) throws Exception {
@@ -193,6 +210,9 @@ class BudgetIT {
           .as("a second's calls at first, then %s in each", CALLS_PER_SECOND)
           .isLessThanOrEqualTo(CALLS_PER_SECOND * (seconds + 1.5));
       assertThat(flood.refused.get()).isGreaterThan(flood.permitted.get());
+      assertThat(beside[0])
+          .as("median of the operator's calls in µs, beside the greedy observer's; alone %s", quiet[0])
+          .isLessThan(10 * quiet[0] + SLACK_MICROS);
     }
   }
 
@@ -233,6 +253,62 @@ class BudgetIT {
     assertThat(json).contains("\"owner\"", "observer otto", "\"maxCalls\"");
     for (Subscription each : held) {
       each.close();
+    }
+  }
+
+  /** Counts what it misses. At an address that stands for another computer. */
+  private static final class MissingReadings implements ModuleListener {
+
+    private static final String OTHER_COMPUTER = "127.0.0.2";
+
+    final AtomicLong received = new AtomicLong();
+    final AtomicLong missed = new AtomicLong();
+    final AtomicLong firstMissed = new AtomicLong(Long.MAX_VALUE);
+
+    @Override
+    public void notify(Delivery delivery) {
+      received.incrementAndGet();
+      if (missed.addAndGet(delivery.dropped()) > 0) {
+        firstMissed.compareAndSet(Long.MAX_VALUE, System.nanoTime());
+      }
+    }
+
+    Subscription listen(MemberCalls who) throws Exception {
+      String before = System.getProperty(CallbackHost.PROPERTY);
+      System.setProperty(CallbackHost.PROPERTY, OTHER_COMPUTER);
+      try {
+        OdometrySensor odometry =
+            who.find(team.registrar(ROBOT), OdometrySensor.class, "atrv1/odometry");
+        return who.call(() -> odometry.subscribe(this, DeliveryPolicy.keepLast(64)));
+      } finally {
+        if (before == null) {
+          System.clearProperty(CallbackHost.PROPERTY);
+        } else {
+          System.setProperty(CallbackHost.PROPERTY, before);
+        }
+      }
+    }
+  }
+
+  @Test
+  @Order(4)
+  void anObserverGetsFewerReadingsBeforeAnOperatorDoesWhenTheRadioIsFull() throws Exception {
+    MissingReadings observers = new MissingReadings();
+    MissingReadings operators = new MissingReadings();
+    try (Subscription unused = operators.listen(anna);
+        Subscription unusedToo = observers.listen(olivia)) {
+      await().atMost(SecureTeam.PATIENCE).until(() -> observers.missed.get() > 20);
+      assertThat(observers.firstMissed.get()).isLessThan(operators.firstMissed.get());
+      await().atMost(SecureTeam.PATIENCE).until(() -> operators.missed.get() > 20);
+      System.out.printf(
+          "full radio: the observer missed %d of %d readings, the operator %d of %d%n",
+          observers.missed.get(),
+          observers.missed.get() + observers.received.get(),
+          operators.missed.get(),
+          operators.missed.get() + operators.received.get());
+      String table = ok(team.dfra(ROBOT, "status", "--budget", ROBOT)).out();
+      assertThat(table)
+          .contains("atrv1.all: the radio carries", "of 2 kB/s", "observers get one reading in");
     }
   }
 

@@ -1,5 +1,6 @@
 package org.dfra.cli.robot;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -41,10 +42,10 @@ import picocli.CommandLine.Parameters;
 public final class StatusCommand implements Callable<Integer> {
 
   @Parameters(
-      paramLabel = "ROBOT.XML",
+      paramLabel = "ROBOT",
       arity = "0..*",
-      description = "Only these robots (default: all of this host).")
-  private List<Path> xml = List.of();
+      description = "Only these robots, by name or XML (default: all of this host).")
+  private List<String> robots = List.of();
 
   @Option(
       names = "--budget",
@@ -85,8 +86,9 @@ public final class StatusCommand implements Callable<Integer> {
   @Override
   public Integer call() throws Exception {
     List<String> wanted = new ArrayList<>();
-    for (Path each : xml) {
-      wanted.add(RobotXml.read(each).name());
+    for (String each : robots) {
+      boolean isFile = each.endsWith(".xml") || Files.exists(Path.of(each));
+      wanted.add(isFile ? RobotXml.read(Path.of(each)).name() : each);
     }
     PhoenixProcess phoenix = options.requireRunning();
     if (isBudget) {

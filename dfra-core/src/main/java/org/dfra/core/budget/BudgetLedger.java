@@ -37,7 +37,32 @@ final class BudgetLedger {
 
   /** What the accounts of a call depend on. */
   private record Subject(
-      Caller.Standing standing, @Nullable Member member, String address, String object) {}
+      Caller.Standing standing, @Nullable Member member, String address, String object) {
+
+    /** Faster than that of a record, above all with the first compiler alone. */
+    @Override
+    public int hashCode() {
+      int hash = member == null ? address.hashCode() : member.name().hashCode();
+      return 31 * (31 * hash + object.hashCode()) + standing.ordinal();
+    }
+
+    @Override
+    public boolean equals(@Nullable Object other) {
+      return other instanceof Subject subject
+          && standing == subject.standing
+          && object.equals(subject.object)
+          && address.equals(subject.address)
+          && (member == null ? subject.member == null : isSame(member, subject.member));
+    }
+
+    private static boolean isSame(Member one, @Nullable Member other) {
+      return one == other
+          || (other != null
+              && one.role() == other.role()
+              && one.name().equals(other.name())
+              && one.team().equals(other.team()));
+    }
+  }
 
   private record AccountKey(String budget, String owner) {}
 

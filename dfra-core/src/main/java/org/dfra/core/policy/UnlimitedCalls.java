@@ -6,6 +6,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
 import org.dfra.security.AccessRequest;
 import org.dfra.security.Caller.Standing;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The calls that no budget refuses or slows: emergency stops, what lets a robot stand or keeps a
@@ -30,13 +31,35 @@ public final class UnlimitedCalls implements Predicate<AccessRequest> {
   private static final Set<String> STANDING =
       Set.of("pause", "pauseUnattended", "cancel", "cancelUnattended");
 
-  private static final Set<String> FINDING = Set.of("lookup", "getServiceProxy");
+  /** Of lookup services. */
+  private static final Set<String> FINDING =
+      Set.of(
+          "lookup",
+          "getServiceProxy",
+          "getFieldValues",
+          "getEntryClasses",
+          "getServiceTypes",
+          "getLocator");
 
   private static final int MAX_KNOWN = 10_000;
 
   private final ConcurrentHashMap<TypedMethod, Boolean> known = new ConcurrentHashMap<>();
 
-  private record TypedMethod(Class<?> type, Method method) {}
+  private record TypedMethod(Class<?> type, Method method) {
+
+    /** Faster than that of a record, above all with the first compiler alone. */
+    @Override
+    public int hashCode() {
+      return 31 * type.hashCode() + method.getName().hashCode();
+    }
+
+    @Override
+    public boolean equals(@Nullable Object other) {
+      return other instanceof TypedMethod typed
+          && type == typed.type
+          && method.equals(typed.method);
+    }
+  }
 
   @Override
   public boolean test(AccessRequest request) {
