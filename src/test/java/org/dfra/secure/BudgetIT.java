@@ -211,7 +211,9 @@ class BudgetIT {
           .isLessThanOrEqualTo(CALLS_PER_SECOND * (seconds + 1.5));
       assertThat(flood.refused.get()).isGreaterThan(flood.permitted.get());
       assertThat(beside[0])
-          .as("median of the operator's calls in µs, beside the greedy observer's; alone %s", quiet[0])
+          .as(
+              "median of the operator's calls in µs, beside the greedy observer's; alone %s",
+              quiet[0])
           .isLessThan(10 * quiet[0] + SLACK_MICROS);
     }
   }
