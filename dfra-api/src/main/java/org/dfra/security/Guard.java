@@ -31,4 +31,13 @@ public interface Guard {
    * @param request as it was decided
    */
   default void ended(AccessRequest request, CallUse use) {}
+
+  /**
+   * What a caller sees of the services that a lookup service lists. Asked for each call that reads
+   * a lookup service, after {@link #decide} has permitted it, and for each event of one. A guard
+   * that hides nothing need not implement it; one that asks another guard must pass it on.
+   */
+  default Visibility visibility(Caller caller) {
+    return Visibility.ALL;
+  }
 }

@@ -6,8 +6,10 @@ import java.util.function.Function;
 import java.util.function.Predicate;
 import org.dfra.security.AccessRequest;
 import org.dfra.security.CallUse;
+import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
+import org.dfra.security.Visibility;
 
 /**
  * Records what another guard decides. Permitted calls that only read and that oblige to nothing are
@@ -69,5 +71,10 @@ public final class AuditedGuard implements Guard {
       trail.record(AuditEvent.call(request, decision, obliged));
     }
     return decision;
+  }
+
+  @Override
+  public Visibility visibility(Caller caller) {
+    return guard.visibility(caller);
   }
 }

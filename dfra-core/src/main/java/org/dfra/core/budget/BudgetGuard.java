@@ -19,6 +19,7 @@ import org.dfra.security.CallUse;
 import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
+import org.dfra.security.Visibility;
 
 /**
  * Refuses or slows the calls that another guard permits and that a budget has no room for. Calls
@@ -38,7 +39,7 @@ public final class BudgetGuard implements Guard {
   private final Predicate<AccessRequest> isNeverLimited;
   private final LongSupplier nanos;
   private final LongConsumer sleeper;
-  private volatile BudgetLedger ledger;
+  private volatile BudgetAccounts current;
 
   @GuardedBy("this")
   private final List<ListenerShare> listeners = new ArrayList<>();
@@ -73,7 +74,7 @@ public final class BudgetGuard implements Guard {
     this.isNeverLimited = isNeverLimited;
     this.nanos = nanos;
     this.sleeper = sleeper;
-    this.ledger = new BudgetLedger(declared.get(), robot, nanos);
+    this.current = new BudgetAccounts(declared.get(), robot, nanos);
   }
 
   private static void park(long nanos) {
@@ -86,34 +87,39 @@ public final class BudgetGuard implements Guard {
   }
 
   /** The accounts of the budgets that are in force; new ones, if they have been replaced. */
-  private BudgetLedger ledger() {
-    BudgetLedger now = ledger;
+  private BudgetAccounts inForce() {
+    BudgetAccounts now = current;
     return now.declared() == declared.get() ? now : replaced();
   }
 
-  private synchronized BudgetLedger replaced() {
+  private synchronized BudgetAccounts replaced() {
     Budgets next = declared.get();
-    if (ledger.declared() != next) {
-      ledger = new BudgetLedger(next, robot, nanos);
+    if (current.declared() != next) {
+      current = new BudgetAccounts(next, robot, nanos);
     }
-    return ledger;
+    return current;
   }
 
   @Override
   public Measurement measurement() {
-    return ledger().measurement();
+    return inForce().measurement();
+  }
+
+  @Override
+  public Visibility visibility(Caller caller) {
+    return guard.visibility(caller);
   }
 
   @Override
   public Decision decide(AccessRequest request) {
     Decision decision = guard.decide(request);
-    BudgetLedger now = ledger();
+    BudgetAccounts now = inForce();
     return !decision.isPermitted() || now.measurement() == Measurement.NONE
         ? decision
         : admitted(decision, request, now);
   }
 
-  private Decision admitted(Decision decision, AccessRequest request, BudgetLedger now) {
+  private Decision admitted(Decision decision, AccessRequest request, BudgetAccounts now) {
     BudgetAccount[] accounts = now.accounts(request.caller(), request.object());
     if (accounts.length == 0) {
       return decision;
@@ -171,7 +177,7 @@ public final class BudgetGuard implements Guard {
 
   @Override
   public void ended(AccessRequest request, CallUse use) {
-    BudgetLedger now = ledger();
+    BudgetAccounts now = inForce();
     long time = now.now();
     for (BudgetAccount each : now.accounts(request.caller(), request.object())) {
       each.use(BudgetResource.BYTES, use.bytes(), time);
@@ -188,7 +194,7 @@ public final class BudgetGuard implements Guard {
    */
   public synchronized ListenerShare admitListener(Caller caller, String object)
       throws BudgetExceededException {
-    BudgetLedger now = ledger();
+    BudgetAccounts now = inForce();
     for (BudgetAccount each : now.accounts(caller, object)) {
       double most = each.budget().limits().listeners();
       int held = listenersOf(each, now);
@@ -209,7 +215,7 @@ public final class BudgetGuard implements Guard {
   }
 
   @GuardedBy("this")
-  private int listenersOf(BudgetAccount account, BudgetLedger now) {
+  private int listenersOf(BudgetAccount account, BudgetAccounts now) {
     int count = 0;
     for (ListenerShare each : listeners) {
       for (BudgetAccount its : now.accounts(each.caller(), each.object())) {
@@ -221,7 +227,7 @@ public final class BudgetGuard implements Guard {
 
   /** Whether a budget has no room for the bytes of a listener's readings. */
   boolean isOutOfBytes(ListenerShare share) {
-    BudgetLedger now = ledger();
+    BudgetAccounts now = inForce();
     if (now.measurement() == Measurement.NONE || share.caller().standing() == Caller.Standing.OWN) {
       return false;
     }
@@ -235,7 +241,7 @@ public final class BudgetGuard implements Guard {
 
   /** Counts what was sent to a listener, and what was not. */
   void count(ListenerShare share, long bytes, long thinned) {
-    BudgetLedger now = ledger();
+    BudgetAccounts now = inForce();
     if (now.measurement() == Measurement.NONE) {
       return;
     }
@@ -247,12 +253,12 @@ public final class BudgetGuard implements Guard {
 
   /** Whether anything must be counted. */
   boolean isCounting() {
-    return ledger().measurement() != Measurement.NONE;
+    return inForce().measurement() != Measurement.NONE;
   }
 
   /** What all accounts have used, those of a budget together. */
   public synchronized List<BudgetUse> use() {
-    BudgetLedger now = ledger();
+    BudgetAccounts now = inForce();
     Map<BudgetAccount, Integer> held = new IdentityHashMap<>();
     for (BudgetAccount each : now.all()) {
       held.put(each, listenersOf(each, now));

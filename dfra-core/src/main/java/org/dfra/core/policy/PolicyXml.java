@@ -29,6 +29,9 @@ public final class PolicyXml {
   /** The most budgets and radios of a policy: each may be about every call. */
   public static final int MAX_BUDGETS = 50;
 
+  /** The most rules about what lookup services show: a bit of a long for each. */
+  public static final int MAX_VISIBILITY_RULES = 64;
+
   private static final XmlSchema SCHEMA =
       new XmlSchema("policy", "urn:dfra:policy:1", PolicyXml.class, "policy.xsd");
 

@@ -20,8 +20,8 @@ import org.jdom2.Element;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads one {@code <permit>} or {@code <deny>}, and records its faults. {@link BudgetReader} uses
- * it for the attributes that budgets have too.
+ * Reads one {@code <permit>}, {@code <deny>}, {@code <show>} or {@code <hide>}, and records its
+ * faults. {@link BudgetReader} uses it for the attributes that budgets have too.
  */
 final class RuleReader {
 
@@ -49,13 +49,14 @@ final class RuleReader {
     this.catalogue = catalogue;
     this.regions = regions;
     this.names = names;
-    this.effect = element.getName().equals("permit") ? Effect.PERMIT : Effect.DENY;
+    this.effect =
+        List.of("permit", "show").contains(element.getName()) ? Effect.PERMIT : Effect.DENY;
   }
 
   /** The rule; empty, with the reasons among the faults, if it has any. */
   Optional<PolicyRule> rule() {
     String name = name();
-    CallerCriteria callers = callers();
+    CallerCriteria callers = callers(CallerCriteria.defaultStandings(effect));
     CallCriteria calls = calls();
     ConditionReader conditions = new ConditionReader(values, regions);
     List<PolicyCondition> held = new ArrayList<>();
@@ -74,6 +75,36 @@ final class RuleReader {
     return isFaulty;
   }
 
+  /** The rule about what is seen; empty, with the reasons among the faults, if it has any. */
+  Optional<VisibilityRule> visibility() {
+    String name = name();
+    CallerCriteria callers = callers(CallerCriteria.OTHERS);
+    fault(
+        callers.standings().contains(Standing.OWN)
+            ? "nothing is hidden from a robot's own processes; delete own from standing"
+            : null);
+    List<CataloguedInterface> types = new ArrayList<>();
+    items("type").forEach(each -> interfaceNamed(each).ifPresent(types::add));
+    List<EntryPattern> entries = new ArrayList<>();
+    @Nullable String written = element.getAttributeValue("entry");
+    List<String> items = written == null ? List.of() : NamePattern.items(written);
+    fault(written != null && items.isEmpty() ? "entry names nothing; delete it, or write *" : null);
+    for (String each : items) {
+      try {
+        entries.add(EntryPattern.of(each));
+      } catch (IllegalArgumentException e) {
+        fault(e.getMessage());
+      }
+    }
+    NamePattern robots = names("robot");
+    NamePattern objects = names("object");
+    return isFaulty
+        ? Optional.empty()
+        : Optional.of(
+            new VisibilityRule(
+                name, effect, callers, robots, objects, types, entries, values.place(element)));
+  }
+
   private void fault(@Nullable String sentence) {
     values.check(element, sentence);
     isFaulty |= sentence != null;
@@ -90,14 +121,18 @@ final class RuleReader {
     return written;
   }
 
-  /** The callers that it is about. */
-  CallerCriteria callers() {
+  /**
+   * The callers that it is about.
+   *
+   * @param byDefault their standings if it names none
+   */
+  CallerCriteria callers(Set<Standing> byDefault) {
     Set<Standing> standings = constants("standing", RuleReader::standing);
     String same = element.getAttributeValue("same-robot");
     boolean isWord = same == null || same.equals("yes") || same.equals("no");
     fault(isWord ? null : "same-robot is \"" + same + "\"; write yes or no");
     return new CallerCriteria(
-        standings.isEmpty() ? CallerCriteria.defaultStandings(effect) : standings,
+        standings.isEmpty() ? byDefault : standings,
         constants("role", MemberRole::of),
         names("member"),
         same == null ? null : Boolean.valueOf(same.equals("yes")));

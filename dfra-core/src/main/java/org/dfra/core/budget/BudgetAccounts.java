@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Its memory is bounded: beyond {@value #MAX_ACCOUNTS} accounts, the further callers and objects
  * of a budget share one.
  */
-final class BudgetLedger {
+final class BudgetAccounts {
 
   static final int MAX_ACCOUNTS = 512;
 
@@ -70,7 +70,7 @@ final class BudgetLedger {
    * @param robot name of this process's robot
    * @param nanos a monotonic clock in nanoseconds
    */
-  BudgetLedger(Budgets declared, String robot, LongSupplier nanos) {
+  BudgetAccounts(Budgets declared, String robot, LongSupplier nanos) {
     this.declared = declared;
     this.own = declared.all().stream().filter(each -> each.robots().test(robot)).toList();
     this.nanos = nanos;
