@@ -1,8 +1,6 @@
 package org.dfra.core.policy;
 
-import java.util.EnumSet;
 import java.util.Optional;
-import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.dfra.core.budget.Budget;
@@ -10,16 +8,11 @@ import org.dfra.core.budget.BudgetLimits;
 import org.dfra.core.budget.RadioLimit;
 import org.dfra.core.config.XmlValues;
 import org.dfra.core.policy.PolicyRule.Effect;
-import org.dfra.security.Caller.Standing;
 import org.jdom2.Element;
 import org.jspecify.annotations.Nullable;
 
 /** Reads one {@code <budget>} or {@code <radio>}, and records its faults. */
 final class BudgetReader {
-
-  /** A robot's own processes have budgets only if these name them. */
-  private static final Set<Standing> OTHERS =
-      EnumSet.of(Standing.MEMBER, Standing.EXPIRED, Standing.STRANGER);
 
   private static final Pattern BYTES = Pattern.compile("([0-9]{1,9}(?:\\.[0-9]{1,3})?)(B|kB|MB)/s");
   private static final Pattern CALLS = Pattern.compile("([0-9]{1,6})/s");
@@ -53,11 +46,8 @@ final class BudgetReader {
    */
   Optional<Budget> budget(XmlValues.UniqueNames names) {
     String name = name(names);
-    CallerCriteria read = rule.callers();
-    CallerCriteria callers =
-        element.getAttributeValue("standing") != null
-            ? read
-            : new CallerCriteria(OTHERS, read.roles(), read.members(), read.sameRobot());
+    // A robot's own processes have budgets only if these name them.
+    CallerCriteria callers = rule.callers(CallerCriteria.OTHERS);
     NamePattern robots = rule.names("robot");
     NamePattern objects = rule.names("object");
     boolean isPerObject = isSecond("per", "caller", "object");

@@ -71,7 +71,8 @@ final class PolicyReader {
                 + " are read"
             : null);
     return faults.isEmpty() && team != null
-        ? Optional.of(new Policy(team, version, rules, visibility, budgets, digest, values.place(root)))
+        ? Optional.of(
+            new Policy(team, version, rules, visibility, budgets, digest, values.place(root)))
         : Optional.empty();
   }
 

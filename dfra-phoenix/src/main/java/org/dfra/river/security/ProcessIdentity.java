@@ -16,9 +16,9 @@ import org.dfra.core.audit.AuditEvent;
 import org.dfra.core.audit.AuditKind.SecurityMode;
 import org.dfra.core.audit.AuditTrail;
 import org.dfra.core.audit.AuditedGuard;
+import org.dfra.core.audit.KeptHead;
 import org.dfra.core.budget.BudgetGuard;
 import org.dfra.core.budget.Budgets;
-import org.dfra.core.audit.KeptHead;
 import org.dfra.core.policy.BuiltInPolicies;
 import org.dfra.core.policy.InterfaceCatalogue;
 import org.dfra.core.policy.MethodKind;
@@ -157,7 +157,8 @@ final class ProcessIdentity {
                 asked,
                 false),
             clock);
-    return new ProcessIdentity(identity, revoked, guard, budgets, asked, robot.authority(), true, null);
+    return new ProcessIdentity(
+        identity, revoked, guard, budgets, asked, robot.authority(), true, null);
   }
 
   /** Budgets are for what uses a robot; a person's programs have none. */
