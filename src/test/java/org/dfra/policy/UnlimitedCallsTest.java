@@ -6,7 +6,7 @@ import java.lang.reflect.Method;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import org.dfra.core.policy.UnlimitedCalls;
+import org.dfra.river.security.budget.UnlimitedCalls;
 import org.dfra.security.AccessRequest;
 import org.dfra.security.Caller;
 import org.dfra.security.Caller.Standing;
@@ -69,5 +69,22 @@ class UnlimitedCallsTest {
     assertThat(unlimited(Caller.stranger("192.0.2.66"))).isEqualTo(expected);
     expected.addAll(finding);
     assertThat(unlimited(OTTO)).isEqualTo(expected);
+  }
+
+  @Test
+  void nothingThatARobotsOwnProcessesCallIsLimited() {
+    Caller own =
+        new Caller(
+            Standing.OWN, Optional.of(new Member("field", MemberRole.ROBOT, "atrv1")), "192.0.2.9");
+    int methods = 0;
+    for (Class<?> type : RemoteInterfaces.ALL) {
+      for (Method each : type.getMethods()) {
+        methods++;
+        assertThat(new UnlimitedCalls().test(new AccessRequest(own, "atrv1", "any", type, each)))
+            .as("%s", each)
+            .isTrue();
+      }
+    }
+    assertThat(methods).isGreaterThan(500);
   }
 }

@@ -55,6 +55,46 @@ class PolicyCommandTest {
     assertThat(json("observer", "read")).isEqualTo("some");
     assertThat(json("expired", "stop")).isEqualTo("permit");
     assertThat(json("stranger", "stop")).isEqualTo("deny");
+    assertThat(json("stranger", "services")).isEqualTo("shown");
+    assertThat(json("stranger", "entry module")).isEqualTo("some");
+    assertThat(json("stranger", "entry recruitment")).isEqualTo("hidden");
+    assertThat(json("observer", "entry recruitment")).isEqualTo("shown");
+  }
+
+  private String explain(String who, String what, String... more) {
+    out.getBuffer().setLength(0);
+    String[] words = {"explain", "--who", who, "--what", what};
+    assertThat(run(Stream.concat(Stream.of(words), Stream.of(more)).toArray(String[]::new)))
+        .isEqualTo(ExitCode.SUCCESS);
+    return out.toString().replaceAll("\\s+", " ").strip();
+  }
+
+  @Test
+  void explainsWhatACallerSeesInLookupServices() throws IOException {
+    assertThat(explain("stranger", "entry module.host"))
+        .startsWith(
+            "entry module.host for stranger: hidden by <hide> other-attributes (default-pol")
+        .endsWith(").");
+    assertThat(explain("stranger", "entry module"))
+        .contains("robot, name, author, version, state shown by <show> public-attributes (")
+        .contains("driver, host, created, activated, clients hidden by <hide> other-attributes (");
+    assertThat(explain("observer otto", "entry module.host"))
+        .isEqualTo(
+            "entry module.host for observer otto of field: shown since no rule of policy 0 of field"
+                + " hides it.");
+    String file = policy("<hide name=\"all\" type=\"Effector\"/>", "<permit/>").toString();
+    assertThat(explain("observer otto", "service of DriveEffector", file))
+        .contains("shown since who may stop an effector must find it, whatever <hide> all (");
+    assertThat(explain("stranger", "service of DriveEffector", file))
+        .isEqualTo("service of DriveEffector for stranger: hidden by <hide> all (" + file + ":2).");
+    assertThat(explain("stranger", "service of GPSSensor", file)).contains(": shown since no rule");
+    assertThat(run("explain", "--who", "stranger", "--what", "entry modul.host"))
+        .isEqualTo(ExitCode.NOT_FOUND);
+    assertThat(err.toString())
+        .contains("there are no attributes \"modul\"; did you mean \"module\"?");
+    assertThat(run("explain", "--who", "stranger", "--what", "entry")).isEqualTo(2);
+    assertThat(run("explain", "--who", "stranger", "--what", "service of Nothing"))
+        .isEqualTo(ExitCode.NOT_FOUND);
   }
 
   /** What the summary says in JSON. */

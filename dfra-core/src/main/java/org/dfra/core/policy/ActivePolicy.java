@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.LongSupplier;
 import org.dfra.security.AccessRequest;
@@ -31,7 +30,21 @@ final class ActivePolicy {
   private final ConcurrentHashMap<CallerKey, Visibility> seen = new ConcurrentHashMap<>();
 
   /** What is seen depends on this. */
-  private record CallerKey(Caller.Standing standing, Optional<Member> member) {}
+  private record CallerKey(Caller.Standing standing, @Nullable Member member) {
+
+    /** As that of {@link CallKey}. */
+    @Override
+    public int hashCode() {
+      return member == null ? standing.ordinal() : member.name().hashCode();
+    }
+
+    @Override
+    public boolean equals(@Nullable Object other) {
+      return other instanceof CallerKey key
+          && standing == key.standing
+          && (member == null ? key.member == null : member.equals(key.member));
+    }
+  }
 
   /**
    * A rule that may decide about a call.
@@ -128,7 +141,7 @@ final class ActivePolicy {
     if (caller.standing() == Caller.Standing.OWN || policy.visibility().isEmpty()) {
       return Visibility.ALL;
     }
-    CallerKey key = new CallerKey(caller.standing(), caller.member());
+    CallerKey key = new CallerKey(caller.standing(), caller.member().orElse(null));
     @Nullable Visibility found = seen.get(key);
     if (found != null) {
       return found;

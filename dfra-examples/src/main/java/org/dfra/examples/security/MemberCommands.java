@@ -25,6 +25,7 @@ import org.jspecify.annotations.Nullable;
 final class MemberCommands {
 
   private static final String OURS = "DFRA_";
+  private static final int WIDTH = 75;
   private static final String LIB = "dfra.lib";
 
   private final DemoEnvironment environment;
@@ -92,9 +93,14 @@ final class MemberCommands {
   /** Shows a command with lines of its output. */
   void show(String who, List<String> lines, String... words) {
     List<String> shown = new ArrayList<>();
-    shown.add(shown(typed(who, words)));
-    lines.forEach(line -> shown.add("  " + shown(line)));
+    shown.add(cut(shown(typed(who, words))));
+    lines.forEach(line -> shown.add(cut("  " + shown(line))));
     progress.show(shown);
+  }
+
+  /** A line no wider than the narration; the user's own terminal shows all of it. */
+  private static String cut(String line) {
+    return line.length() <= WIDTH ? line : line.substring(0, WIDTH - 1) + "…";
   }
 
   private static String typed(String who, String... words) {

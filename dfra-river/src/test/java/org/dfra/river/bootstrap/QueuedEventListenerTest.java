@@ -10,6 +10,8 @@ import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
 import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.List;
 import net.jini.core.event.RemoteEvent;
 import net.jini.core.event.RemoteEventListener;
 import org.junit.jupiter.api.Test;
@@ -59,5 +61,29 @@ class QueuedEventListenerTest {
   void isNotReadWhereItHoldsAnother() {
     QueuedEventListener nested = of(of(new Copied()));
     assertThatThrownBy(() -> copy(nested)).isInstanceOf(InvalidObjectException.class);
+  }
+
+  @Test
+  void aListenerWhoseOwnerPerhapsDoesNotSeeEverythingIsNotRecovered() throws Exception {
+    Object recovered =
+        copy(
+            new QueuedEventListener(
+                new Copied(), "192.0.2.7", event -> event, new Copied(), Runnable::run));
+    EventListenerPreparer preparer = new EventListenerPreparer("127.0.0.1");
+    assertThatThrownBy(() -> preparer.prepareProxy(recovered))
+        .isInstanceOf(SecurityException.class)
+        .hasMessageContaining("it has to register again");
+  }
+
+  @Test
+  void whatTheClientDoesNotSeeIsNotDelivered() throws Exception {
+    List<RemoteEvent> got = new ArrayList<>();
+    RemoteEvent seen = new RemoteEvent("source", 1, 1, null);
+    QueuedEventListener listener =
+        new QueuedEventListener(
+            got::add, "192.0.2.7", event -> event == seen ? event : null, got::add, Runnable::run);
+    listener.notify(new RemoteEvent("source", 1, 0, null));
+    listener.notify(seen);
+    assertThat(got).containsExactly(seen);
   }
 }

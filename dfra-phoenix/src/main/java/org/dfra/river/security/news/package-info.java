@@ -4,7 +4,10 @@
  *
  * <p>Start at {@link org.dfra.river.security.news.TeamNews}, which each process with an identity
  * exports, and {@link org.dfra.river.security.news.NewsExchange}, which calls it. The authority has
- * signed and numbered everything that is passed on, so it does not matter who passes it on.
+ * signed and numbered these, so it does not matter who passes them on.
+ *
+ * <p>By the same calls members exchange the signed ends of their audit trails, which {@link
+ * org.dfra.river.security.news.HeadFiles} keeps.
  */
 @NullMarked
 package org.dfra.river.security.news;

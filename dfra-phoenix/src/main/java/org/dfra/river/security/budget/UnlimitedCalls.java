@@ -1,9 +1,10 @@
-package org.dfra.core.policy;
+package org.dfra.river.security.budget;
 
 import java.lang.reflect.Method;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
+import org.dfra.core.policy.MethodKinds;
 import org.dfra.security.AccessRequest;
 import org.dfra.security.Caller.Standing;
 import org.jspecify.annotations.Nullable;
