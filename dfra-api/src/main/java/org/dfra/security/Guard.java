@@ -2,13 +2,35 @@ package org.dfra.security;
 
 /**
  * Decides which calls run. Asked for each call, after its method and before its arguments are read.
- * Thread-safe; it must not wait.
+ * Thread-safe; it must not wait, except to slow a call whose caller has used up its share.
  */
 @FunctionalInterface
 public interface Guard {
 
+  /** What a guard wants to know of a call after it has ended. */
+  enum Measurement {
+    /** Nothing: {@link #ended} is not called. */
+    NONE,
+    /** Its bytes. */
+    BYTES,
+    /** Its bytes, and its processor time, which takes about a microsecond to measure. */
+    BYTES_AND_PROCESSOR_TIME
+  }
+
   /** Decides about a call, and does what the decision obliges to, such as counting it. */
   Decision decide(AccessRequest request);
+
+  /** What it wants to know of the next call. Asked for each call, so it must be fast. */
+  default Measurement measurement() {
+    return Measurement.NONE;
+  }
+
+  /**
+   * A call that it has permitted has ended and its response was sent.
+   *
+   * @param request as it was decided
+   */
+  default void ended(AccessRequest request, CallUse use) {}
 
   /**
    * What a caller sees of the services that a lookup service lists. Asked for each call that reads

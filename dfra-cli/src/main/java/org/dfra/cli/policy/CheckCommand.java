@@ -61,10 +61,16 @@ final class CheckCommand implements Callable<Integer> {
               + read
               + ", "
               + read.rules().size()
-              + (read.rules().size() == 1 ? " rule." : " rules."));
+              + (read.rules().size() == 1 ? " rule" : " rules")
+              + budgets(read.budgets().all().size())
+              + ".");
     }
     answer.table(rows, table, "The policy is about no method.");
     return ExitCode.SUCCESS;
+  }
+
+  private static String budgets(int count) {
+    return count == 0 ? "" : ", " + count + (count == 1 ? " budget" : " budgets");
   }
 
   /** The kinds of methods, and what lookup services show if the policy hides something. */

@@ -1,10 +1,12 @@
 package org.dfra.cli.robot;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -14,6 +16,7 @@ import org.dfra.core.host.CommandName;
 import org.dfra.report.terminal.CommandOutput;
 import org.dfra.report.terminal.ExitCode;
 import org.dfra.report.terminal.Table;
+import org.dfra.river.bootstrap.BudgetSurvey;
 import org.dfra.river.bootstrap.PhoenixInventory;
 import org.dfra.river.bootstrap.PhoenixInventory.ServiceGroup;
 import org.dfra.river.bootstrap.PhoenixProcess;
@@ -23,6 +26,7 @@ import org.dfra.river.security.SecureProcess;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** {@code ./dfra status}. */
@@ -38,10 +42,18 @@ import picocli.CommandLine.Parameters;
 public final class StatusCommand implements Callable<Integer> {
 
   @Parameters(
-      paramLabel = "ROBOT.XML",
+      paramLabel = "ROBOT",
       arity = "0..*",
-      description = "Only these robots (default: all of this host).")
-  private List<Path> xml = List.of();
+      description = "Only these robots, by name or XML (default: all of this host).")
+  private List<String> robots = List.of();
+
+  @Option(
+      names = "--budget",
+      description =
+          "Show what callers and modules have used of the budgets of the team's policy, over the"
+              + " last 10 s, and what was refused, slowed or not sent since the policy is in"
+              + " force.")
+  private boolean isBudget;
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // set by picocli before the call
@@ -74,10 +86,15 @@ public final class StatusCommand implements Callable<Integer> {
   @Override
   public Integer call() throws Exception {
     List<String> wanted = new ArrayList<>();
-    for (Path each : xml) {
-      wanted.add(RobotXml.read(each).name());
+    for (String each : robots) {
+      boolean isFile = each.endsWith(".xml") || Files.exists(Path.of(each));
+      wanted.add(isFile ? RobotXml.read(Path.of(each)).name() : each);
     }
     PhoenixProcess phoenix = options.requireRunning();
+    if (isBudget) {
+      BudgetTable.show(answer, BudgetSurvey.of(phoenix, Set.copyOf(wanted)));
+      return ExitCode.SUCCESS;
+    }
     List<Group> groups = new ArrayList<>();
     for (ServiceGroup each : PhoenixInventory.groups(phoenix, PhoenixOptions.TIMEOUT)) {
       if (wanted.isEmpty() || wanted.contains(each.robot())) {

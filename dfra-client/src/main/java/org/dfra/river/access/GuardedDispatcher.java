@@ -8,6 +8,7 @@ import java.util.Collection;
 import java.util.Set;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.core.constraint.MethodConstraints;
+import net.jini.jeri.InboundRequest;
 import net.jini.jeri.ServerCapabilities;
 import org.dfra.river.filter.FilteredInvocationDispatcher;
 import org.dfra.security.AccessRefusedException;
@@ -88,6 +89,24 @@ public class GuardedDispatcher extends FilteredInvocationDispatcher {
     }
   }
 
+  /** {@inheritDoc} Measures the call too, if the endpoint's guard wants to know what it uses. */
+  @Override
+  @SuppressWarnings({"rawtypes", "unchecked"}) // as River declares it
+  public void dispatch(Remote impl, InboundRequest request, Collection context) {
+    @Nullable Guard guard = endpoint == null ? null : endpoint.guard();
+    @Nullable MeteredCall metered = guard == null ? null : MeteredCall.begin(guard, request);
+    if (metered == null) {
+      super.dispatch(impl, request, context);
+      return;
+    }
+    context.add(metered);
+    try {
+      super.dispatch(impl, request, context);
+    } finally {
+      metered.end();
+    }
+  }
+
   private static void ask(
       GuardedEndpoint endpoint, Remote impl, Method method, Collection<?> context) {
     String object = impl instanceof GuardedObject named ? named.guardedName() : "";
@@ -108,6 +127,11 @@ public class GuardedDispatcher extends FilteredInvocationDispatcher {
               + decision.rule()
               + ": "
               + decision.reason());
+    }
+    for (Object each : context) {
+      if (each instanceof MeteredCall metered) {
+        metered.permitted(request);
+      }
     }
   }
 

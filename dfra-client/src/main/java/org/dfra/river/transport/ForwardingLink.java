@@ -47,6 +47,11 @@ abstract class ForwardingLink implements Link {
   }
 
   @Override
+  public long bytes() {
+    return link.bytes();
+  }
+
+  @Override
   public SelectableChannel channel() {
     return link.channel();
   }

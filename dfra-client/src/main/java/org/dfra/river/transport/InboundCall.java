@@ -10,6 +10,7 @@ import java.util.Collection;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.io.UnsupportedConstraintException;
 import net.jini.jeri.InboundRequest;
+import org.dfra.river.access.MeteredRequest;
 import org.dfra.river.identity.ChannelIdentity;
 import org.dfra.river.identity.ChannelPeer;
 import org.jspecify.annotations.Nullable;
@@ -22,7 +23,8 @@ import org.jspecify.annotations.Nullable;
  * exporter of DFRA needs it, so calls to it get the answer that there is no such object, whatever
  * was exported at the port.
  */
-final class InboundCall implements InboundRequest, MessageOutput.Sender, MessageInput.Source {
+final class InboundCall
+    implements InboundRequest, MeteredRequest, MessageOutput.Sender, MessageInput.Source {
 
   /** JERI's ID of the object for garbage collection, d32cd1bc-273c-11b2-8841-080020c9e4a1. */
   private static final long COLLECTOR_HIGH = 0xd32c_d1bc_273c_11b2L;
@@ -66,6 +68,11 @@ final class InboundCall implements InboundRequest, MessageOutput.Sender, Message
   @SuppressWarnings({"rawtypes", "unchecked"}) // as River declares it
   public void populateContext(Collection context) {
     connection.link().addClientTo(context);
+  }
+
+  @Override
+  public long takeBytes() {
+    return connection.takeBytes();
   }
 
   @Override

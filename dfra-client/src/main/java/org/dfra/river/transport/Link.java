@@ -46,6 +46,9 @@ interface Link extends Closeable {
   /** The memory that it occupies for what was received and not read, in bytes. */
   int held();
 
+  /** The bytes sent and received so far. For the thread that reads and writes. */
+  long bytes();
+
   /** Who the peer has proved to be; null on a link without encryption. */
   @Nullable ChannelPeer partner();
 

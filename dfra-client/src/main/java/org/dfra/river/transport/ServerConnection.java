@@ -67,6 +67,7 @@ final class ServerConnection implements Runnable {
   private volatile byte[] partial = NOTHING; // the selector's
   private volatile int kept; // bytes that count as partial, the selector's
   private @Nullable ByteBuffer input; // the worker's, ready to be read from
+  private long bytesTaken; // the workers'
   private boolean isReceiver; // whether the worker counts as one
   private boolean mayWait; // whether the worker counts as one that may wait
 
@@ -115,6 +116,13 @@ final class ServerConnection implements Runnable {
   /** How long the current request has been arriving, in nanoseconds. */
   long nanosOfRequest(long now) {
     return now - requestBegan;
+  }
+
+  /** See {@link org.dfra.river.access.MeteredRequest}. For the worker. */
+  long takeBytes() {
+    long before = bytesTaken;
+    bytesTaken = link.bytes();
+    return bytesTaken - before;
   }
 
   /** What arrived of a greeting or a request, while the selector has the connection. */

@@ -24,10 +24,13 @@ final class SocketLink implements Link {
 
   private final SocketChannel channel;
   private final Peer peer;
+  private final boolean leavesComputer;
+  private long bytes;
 
-  private SocketLink(SocketChannel channel, Peer peer) {
+  private SocketLink(SocketChannel channel, Peer peer, boolean leavesComputer) {
     this.channel = channel;
     this.peer = peer;
+    this.leavesComputer = leavesComputer;
   }
 
   /** A TCP connection. */
@@ -38,7 +41,9 @@ final class SocketLink implements Link {
     if (from == null) {
       throw new IOException("the connection was closed again");
     }
-    return new SocketLink(connected, new Peer(from.getAddress(), null));
+    InetSocketAddress to = (InetSocketAddress) connected.getLocalAddress();
+    boolean isSame = to != null && to.getAddress().equals(from.getAddress());
+    return new SocketLink(connected, new Peer(from.getAddress(), null), !isSame);
   }
 
   /**
@@ -49,7 +54,7 @@ final class SocketLink implements Link {
    */
   static Link unix(SocketChannel connected, InetAddress host) throws IOException {
     UnixDomainPrincipal runs = connected.getOption(ExtendedSocketOptions.SO_PEERCRED);
-    return new PollingLink(new SocketLink(connected, new Peer(host, runs.user().getName())));
+    return new PollingLink(new SocketLink(connected, new Peer(host, runs.user().getName()), false));
   }
 
   /**
@@ -70,7 +75,10 @@ final class SocketLink implements Link {
   @Override
   public int read(ByteBuffer into) throws IOException {
     int count = channel.read(into);
-    TransportTraffic.countReceived(count);
+    if (count > 0) {
+      bytes += count;
+      TransportTraffic.countReceived(count, leavesComputer);
+    }
     return count;
   }
 
@@ -80,7 +88,8 @@ final class SocketLink implements Link {
     while (from.hasRemaining() && channel.isBlocking()) {
       count += channel.write(from);
     }
-    TransportTraffic.countSent(count);
+    bytes += count;
+    TransportTraffic.countSent(count, leavesComputer);
     return count;
   }
 
@@ -107,6 +116,11 @@ final class SocketLink implements Link {
   @Override
   public int held() {
     return 0;
+  }
+
+  @Override
+  public long bytes() {
+    return bytes;
   }
 
   @Override

@@ -1,6 +1,7 @@
 package org.dfra.river.transport;
 
 import java.util.concurrent.atomic.LongAdder;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What this virtual machine has sent and received by the transport since its start. Calls by
@@ -18,6 +19,12 @@ public record TransportTraffic(
   private static final LongAdder CALLS_SERVED = new LongAdder();
   private static final LongAdder BYTES_SENT = new LongAdder();
   private static final LongAdder BYTES_RECEIVED = new LongAdder();
+  private static final LongAdder BYTES_OF_NETWORK = new LongAdder();
+
+  /** Of threads that have asked for it. */
+  private static final ThreadLocal<long @Nullable []> OF_THREAD = new ThreadLocal<>();
+
+  private static volatile boolean isCountedByThread;
 
   /** The traffic so far. The four numbers are not of exactly the same time. */
   public static TransportTraffic now() {
@@ -42,18 +49,47 @@ public record TransportTraffic(
     CALLS_SERVED.increment();
   }
 
-  static void countSent(int bytes) {
-    BYTES_SENT.add(bytes);
+  /**
+   * The bytes that this virtual machine has sent to and received from other computers since its
+   * start: those of connections whose ends have different addresses.
+   */
+  public static long bytesOfNetwork() {
+    return BYTES_OF_NETWORK.sum();
   }
 
   /**
-   * Counts received bytes.
-   *
-   * @param bytes the result of a read; -1 at the end
+   * The bytes that the current thread itself has sent and received since it first called this: of
+   * the calls that it makes, and not of those that it serves.
    */
-  static void countReceived(int bytes) {
-    if (bytes > 0) {
-      BYTES_RECEIVED.add(bytes);
+  public static long bytesOfThread() {
+    long @Nullable [] own = OF_THREAD.get();
+    if (own == null) {
+      own = new long[1];
+      OF_THREAD.set(own);
+      isCountedByThread = true;
+    }
+    return own[0];
+  }
+
+  static void countSent(int bytes, boolean leavesComputer) {
+    BYTES_SENT.add(bytes);
+    count(bytes, leavesComputer);
+  }
+
+  static void countReceived(int bytes, boolean leavesComputer) {
+    BYTES_RECEIVED.add(bytes);
+    count(bytes, leavesComputer);
+  }
+
+  private static void count(int bytes, boolean leavesComputer) {
+    if (leavesComputer) {
+      BYTES_OF_NETWORK.add(bytes);
+    }
+    if (isCountedByThread) {
+      long @Nullable [] own = OF_THREAD.get();
+      if (own != null) {
+        own[0] += bytes;
+      }
     }
   }
 }

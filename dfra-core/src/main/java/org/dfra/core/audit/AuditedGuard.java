@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import org.dfra.security.AccessRequest;
+import org.dfra.security.CallUse;
 import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
@@ -41,6 +42,16 @@ public final class AuditedGuard implements Guard {
   /** For a guard that obliges to nothing. */
   public AuditedGuard(Guard guard, AuditTrail trail, Predicate<Method> reads) {
     this(guard, trail, reads, decision -> List.of());
+  }
+
+  @Override
+  public Measurement measurement() {
+    return guard.measurement();
+  }
+
+  @Override
+  public void ended(AccessRequest request, CallUse use) {
+    guard.ended(request, use);
   }
 
   /** Decides as the other guard does. What that throws is recorded and thrown here too. */

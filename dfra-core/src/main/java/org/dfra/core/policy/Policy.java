@@ -1,6 +1,7 @@
 package org.dfra.core.policy;
 
 import java.util.List;
+import org.dfra.core.budget.Budgets;
 import org.dfra.core.config.SourceLocation;
 
 /**
@@ -12,6 +13,7 @@ import org.dfra.core.config.SourceLocation;
  * @param rules about calls, in their order
  * @param visibility rules about what lookup services show, in their order; what none matches is
  *     shown
+ * @param budgets what callers and modules may use
  * @param digest SHA-256 of the text that it was read from, as hexadecimal digits: two policies with
  *     the same digest are the same
  * @param place its file
@@ -21,6 +23,7 @@ public record Policy(
     long version,
     List<PolicyRule> rules,
     List<VisibilityRule> visibility,
+    Budgets budgets,
     String digest,
     SourceLocation place) {
 

@@ -5,6 +5,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.dfra.core.budget.Budget;
+import org.dfra.core.budget.Budgets;
+import org.dfra.core.budget.RadioLimit;
 import org.dfra.core.config.ConfigurationFaults;
 import org.dfra.core.config.Substitution;
 import org.dfra.core.config.XmlValues;
@@ -57,6 +60,7 @@ final class PolicyReader {
       }
     }
     values.check(root, countFault(rules.size()));
+    Budgets budgets = budgets(root, regions);
     values.check(
         root,
         visibility.size() > PolicyXml.MAX_VISIBILITY_RULES
@@ -67,8 +71,34 @@ final class PolicyReader {
                 + " are read"
             : null);
     return faults.isEmpty() && team != null
-        ? Optional.of(new Policy(team, version, rules, visibility, digest, values.place(root)))
+        ? Optional.of(
+            new Policy(team, version, rules, visibility, budgets, digest, values.place(root)))
         : Optional.empty();
+  }
+
+  private Budgets budgets(Element root, Map<String, PolicyRegion> regions) {
+    List<Budget> budgets = new ArrayList<>();
+    List<RadioLimit> radios = new ArrayList<>();
+    XmlValues.UniqueNames names = values.uniqueNames();
+    for (Element each : root.getChildren()) {
+      RuleReader rule = new RuleReader(each, values, catalogue, regions, names);
+      switch (each.getName()) {
+        case "budget" -> new BudgetReader(each, values, rule).budget(names).ifPresent(budgets::add);
+        case "radio" -> new BudgetReader(each, values, rule).radio().ifPresent(radios::add);
+        default -> {}
+      }
+    }
+    int count = budgets.size() + radios.size();
+    values.check(
+        root,
+        count > PolicyXml.MAX_BUDGETS
+            ? "the policy has "
+                + count
+                + " budgets and radios, at most "
+                + PolicyXml.MAX_BUDGETS
+                + " are read; combine some"
+            : null);
+    return new Budgets(budgets, radios);
   }
 
   private @Nullable String countFault(int rules) {

@@ -26,6 +26,9 @@ public final class PolicyXml {
   /** The most rules of a policy. */
   public static final int MAX_RULES = 500;
 
+  /** The most budgets and radios of a policy: each may be about every call. */
+  public static final int MAX_BUDGETS = 50;
+
   /** The most rules about what lookup services show: a bit of a long for each. */
   public static final int MAX_VISIBILITY_RULES = 64;
 

@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Reads one {@code <permit>}, {@code <deny>}, {@code <show>} or {@code <hide>}, and records its
- * faults.
+ * faults. {@link BudgetReader} uses it for the attributes that budgets have too.
  */
 final class RuleReader {
 
@@ -70,6 +70,11 @@ final class RuleReader {
             new PolicyRule(name, effect, callers, calls, held, obligations, values.place(element)));
   }
 
+  /** Whether a fault was recorded. */
+  boolean isFaulty() {
+    return isFaulty;
+  }
+
   /** The rule about what is seen; empty, with the reasons among the faults, if it has any. */
   Optional<VisibilityRule> visibility() {
     String name = name();
@@ -116,7 +121,12 @@ final class RuleReader {
     return written;
   }
 
-  private CallerCriteria callers(Set<Standing> byDefault) {
+  /**
+   * The callers that it is about.
+   *
+   * @param byDefault their standings if it names none
+   */
+  CallerCriteria callers(Set<Standing> byDefault) {
     Set<Standing> standings = constants("standing", RuleReader::standing);
     String same = element.getAttributeValue("same-robot");
     boolean isWord = same == null || same.equals("yes") || same.equals("no");
@@ -162,7 +172,8 @@ final class RuleReader {
     return items;
   }
 
-  private NamePattern names(String attribute) {
+  /** The names of an attribute; all if it is absent. */
+  NamePattern names(String attribute) {
     String written = element.getAttributeValue(attribute);
     if (written == null) {
       return NamePattern.ANY;

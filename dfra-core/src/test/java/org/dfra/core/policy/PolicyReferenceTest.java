@@ -45,7 +45,7 @@ class PolicyReferenceTest {
   void describesEveryElementAndAttributeOfTheSchemaAndNoOther() throws IOException {
     Map<String, List<String>> described = tables();
     described.keySet().removeIf(heading -> !heading.startsWith("`<"));
-    assertThat(described).hasSize(14);
+    assertThat(described).hasSize(16);
     Map<String, List<String>> declared = PolicyXml.attributes();
     assertThat(described.keySet())
         .containsExactlyInAnyOrderElementsOf(
@@ -69,7 +69,7 @@ class PolicyReferenceTest {
   void itsExamplesAreValidAndItsLimitsRight() throws IOException {
     String text = Files.readString(FILE);
     List<String> examples = EXAMPLE.matcher(text).results().map(each -> each.group(1)).toList();
-    assertThat(examples).hasSize(4);
+    assertThat(examples).hasSize(5);
     for (String each : examples) {
       Policy policy =
           PolicyXml.read(
@@ -79,6 +79,7 @@ class PolicyReferenceTest {
     assertThat(text)
         .contains("`" + PolicyXml.namespace() + "`")
         .contains((PolicyXml.MAX_BYTES >> 10) + " KiB and " + PolicyXml.MAX_RULES + " rules")
+        .contains("at most " + PolicyXml.MAX_BUDGETS + " budgets and radios")
         .contains(PolicyXml.MAX_VISIBILITY_RULES + " `<show>` and `<hide>`")
         .contains("3 to " + PolicyRegion.MAX_CORNERS + " corners")
         .contains("1 to " + Obligations.RateLimit.MAX_CALLS)

@@ -17,6 +17,8 @@ import org.dfra.core.audit.AuditKind.SecurityMode;
 import org.dfra.core.audit.AuditTrail;
 import org.dfra.core.audit.AuditedGuard;
 import org.dfra.core.audit.KeptHead;
+import org.dfra.core.budget.BudgetGuard;
+import org.dfra.core.budget.Budgets;
 import org.dfra.core.policy.BuiltInPolicies;
 import org.dfra.core.policy.InterfaceCatalogue;
 import org.dfra.core.policy.MethodKind;
@@ -30,12 +32,15 @@ import org.dfra.river.identity.RobotAlone;
 import org.dfra.river.identity.TeamCredentials;
 import org.dfra.river.identity.TeamCredentials.RobotKey;
 import org.dfra.river.identity.TeamIdentity;
+import org.dfra.river.security.budget.UnlimitedCalls;
 import org.dfra.river.security.news.TeamNews;
 import org.dfra.security.AccessRequest;
+import org.dfra.security.CallUse;
 import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
 import org.dfra.security.Member;
+import org.dfra.security.MemberRole;
 import org.dfra.security.Visibility;
 import org.jspecify.annotations.Nullable;
 
@@ -47,6 +52,7 @@ final class ProcessIdentity {
   private final TeamIdentity identity;
   private final RevokedCertificates revoked;
   private final PolicyGuard policy;
+  private final BudgetGuard budgets;
   private final ReplaceableGuard guard;
   private final X509Certificate authority;
   private final boolean isClosed;
@@ -57,6 +63,7 @@ final class ProcessIdentity {
       TeamIdentity identity,
       RevokedCertificates revoked,
       PolicyGuard policy,
+      BudgetGuard budgets,
       ReplaceableGuard guard,
       X509Certificate authority,
       boolean isClosed,
@@ -66,6 +73,7 @@ final class ProcessIdentity {
     this.identity = identity;
     this.revoked = revoked;
     this.policy = policy;
+    this.budgets = budgets;
     this.guard = guard;
     this.authority = authority;
   }
@@ -100,7 +108,8 @@ final class ProcessIdentity {
     Set<PublicKey> otherOwn =
         credentials.robotKey().map(it -> Set.of(it.certificate().getPublicKey())).orElse(Set.of());
     PolicyGuard guard = new PolicyGuard(policy);
-    ReplaceableGuard asked = new ReplaceableGuard(guard);
+    BudgetGuard budgets = budgets(guard, credentials.member());
+    ReplaceableGuard asked = new ReplaceableGuard(budgets);
     TeamIdentity identity =
         new TeamIdentity(
             new TeamIdentity.Settings(
@@ -117,6 +126,7 @@ final class ProcessIdentity {
         identity,
         revoked,
         guard,
+        budgets,
         asked,
         credentials.authority(),
         mode == SecurityMode.CLOSED,
@@ -133,7 +143,8 @@ final class ProcessIdentity {
     Member member = robot.member();
     RevokedCertificates revoked = new RevokedCertificates(robot.authority());
     PolicyGuard guard = new PolicyGuard(BuiltInPolicies.closed(member.team()));
-    ReplaceableGuard asked = new ReplaceableGuard(guard);
+    BudgetGuard budgets = budgets(guard, member);
+    ReplaceableGuard asked = new ReplaceableGuard(budgets);
     TeamIdentity identity =
         new TeamIdentity(
             new TeamIdentity.Settings(
@@ -146,7 +157,18 @@ final class ProcessIdentity {
                 asked,
                 false),
             clock);
-    return new ProcessIdentity(identity, revoked, guard, asked, robot.authority(), true, null);
+    return new ProcessIdentity(
+        identity, revoked, guard, budgets, asked, robot.authority(), true, null);
+  }
+
+  /** Budgets are for what uses a robot; a person's programs have none. */
+  private static BudgetGuard budgets(PolicyGuard guard, Member member) {
+    boolean isRobot = member.role() == MemberRole.ROBOT;
+    return new BudgetGuard(
+        guard,
+        () -> isRobot ? guard.policy().budgets() : Budgets.NONE,
+        member.name(),
+        new UnlimitedCalls());
   }
 
   /** The transport has it before the audit trail is there. */
@@ -161,6 +183,16 @@ final class ProcessIdentity {
     @Override
     public Decision decide(AccessRequest request) {
       return guard.decide(request);
+    }
+
+    @Override
+    public Measurement measurement() {
+      return guard.measurement();
+    }
+
+    @Override
+    public void ended(AccessRequest request, CallUse use) {
+      guard.ended(request, use);
     }
 
     @Override
@@ -182,7 +214,7 @@ final class ProcessIdentity {
     audit = trail;
     guard.guard =
         new AuditedGuard(
-            policy,
+            budgets,
             trail,
             method -> MethodKinds.of(method.getDeclaringClass(), method).kind() == MethodKind.READ);
   }
@@ -234,6 +266,10 @@ final class ProcessIdentity {
 
   PolicyGuard policy() {
     return policy;
+  }
+
+  BudgetGuard budgets() {
+    return budgets;
   }
 
   X509Certificate authority() {

@@ -20,6 +20,7 @@ import org.dfra.river.identity.IdentityFolder;
 import org.dfra.river.identity.SecurityFiles;
 import org.dfra.river.identity.TeamCredentials;
 import org.dfra.river.loading.TrustedCode;
+import org.dfra.river.security.budget.ProcessBudgets;
 import org.dfra.river.security.news.NewsExchange;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -59,6 +60,8 @@ public final class SecureProcess {
   private static @Nullable ProcessIdentity identity;
 
   private static volatile @Nullable NewsExchange news;
+
+  private static volatile @Nullable ProcessBudgets budgets;
 
   private static volatile @Nullable SecurityWatch watch;
 
@@ -127,7 +130,14 @@ public final class SecureProcess {
     }
     identity = made;
     CurrentIdentity.setForProcess(made.identity());
-    watch = SecurityWatch.start(folder, made);
+    ProcessBudgets limits = null;
+    if (!made.identity().robot().isEmpty()) {
+      Path state = Objects.requireNonNull(folder.toAbsolutePath().getParent());
+      limits = new ProcessBudgets(made.budgets(), state);
+      limits.policyChanged();
+      budgets = limits;
+    }
+    watch = SecurityWatch.start(folder, made, limits);
     if (mode == SecurityMode.SECURE) {
       news = new NewsExchange(folder, made.authority(), made.identity(), made::numbers);
       TrustedCode.trustTeam(new TeamCode(made.authority(), made.revoked(), Clock.systemUTC()));
@@ -165,6 +175,11 @@ public final class SecureProcess {
   /** Exchanges news of the authority with others; empty if this process is not secure. */
   public static Optional<NewsExchange> news() {
     return Optional.ofNullable(news);
+  }
+
+  /** What may be used of this process; empty if it is open, or no robot's. */
+  public static Optional<ProcessBudgets> budgets() {
+    return Optional.ofNullable(budgets);
   }
 
   /** Why nobody else would believe this member; empty if they do. */

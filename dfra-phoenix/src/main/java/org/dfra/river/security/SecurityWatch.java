@@ -17,7 +17,9 @@ import org.dfra.core.policy.PolicyReplacementException;
 import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.SecurityFiles;
 import org.dfra.river.identity.SignedFiles;
+import org.dfra.river.security.budget.ProcessBudgets;
 import org.dfra.river.security.news.NewsExchange;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -39,6 +41,7 @@ final class SecurityWatch implements Runnable {
   private final Path revokedFile;
   private final Path folder;
   private final ProcessIdentity identity;
+  private final @Nullable ProcessBudgets budgets;
 
   @GuardedBy("this")
   private List<Object> policyState;
@@ -52,7 +55,8 @@ final class SecurityWatch implements Runnable {
   @GuardedBy("this")
   private long signed; // by System.nanoTime
 
-  private SecurityWatch(Path folder, ProcessIdentity identity) {
+  private SecurityWatch(Path folder, ProcessIdentity identity, @Nullable ProcessBudgets budgets) {
+    this.budgets = budgets;
     this.folder = folder;
     this.policyFile = folder.resolve(SecurityFiles.POLICY);
     this.revokedFile = folder.resolve(SecurityFiles.REVOKED);
@@ -61,9 +65,14 @@ final class SecurityWatch implements Runnable {
     this.revokedState = state(revokedFile);
   }
 
-  /** Starts to watch what has just been loaded. */
-  static SecurityWatch start(Path folder, ProcessIdentity identity) {
-    SecurityWatch watch = new SecurityWatch(folder, identity);
+  /**
+   * Starts to watch what has just been loaded.
+   *
+   * @param budgets of the process, null if it has none
+   */
+  static SecurityWatch start(
+      Path folder, ProcessIdentity identity, @Nullable ProcessBudgets budgets) {
+    SecurityWatch watch = new SecurityWatch(folder, identity, budgets);
     Thread thread = new Thread(watch, "dfra-security");
     thread.setDaemon(true);
     thread.start();
@@ -153,6 +162,9 @@ final class SecurityWatch implements Runnable {
       Optional<Policy> next = ProcessIdentity.stored(folder, identity.authority());
       if (next.isPresent() && identity.policy().replace(next.get())) {
         LOG.info("{} is in force.", next.get());
+        if (budgets != null) {
+          budgets.policyChanged();
+        }
         identity.record(AuditEvent.policyReplaced(next.get().version(), policyFile.toString()));
       }
     } catch (IOException | ConfigurationException | PolicyReplacementException e) {

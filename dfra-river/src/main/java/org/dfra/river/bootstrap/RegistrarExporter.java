@@ -3,11 +3,15 @@ package org.dfra.river.bootstrap;
 import com.sun.jini.thread.ReadersWriter.ConcurrentLockException;
 import java.rmi.Remote;
 import java.rmi.server.ExportException;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import net.jini.export.Exporter;
 import org.dfra.river.call.JeriExporters;
+import org.dfra.river.call.PeerAddress;
 import org.dfra.river.registrar.RegistrarLeaseLimiter;
+import org.dfra.river.security.SecureProcess;
+import org.dfra.river.security.budget.ProcessBudgets;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -57,6 +61,7 @@ public final class RegistrarExporter implements Exporter {
       listeners.startTracking(); // before the first client can call
     }
     Remote proxy = exporter.export(registrar);
+    exportBudgets(PeerAddress.of(proxy));
     if (leases != null) {
       Thread begun = new Thread(() -> watch(leases), "registrar-leases");
       begun.setDaemon(true);
@@ -64,6 +69,14 @@ public final class RegistrarExporter implements Exporter {
       begun.start();
     }
     return proxy;
+  }
+
+  /** Its group may have no module that does. */
+  private static void exportBudgets(@Nullable PeerAddress here) throws ExportException {
+    Optional<ProcessBudgets> budgets = SecureProcess.budgets();
+    if (here != null && budgets.isPresent()) {
+      budgets.get().export(here.host());
+    }
   }
 
   private static @Nullable RegistrarLeaseLimiter leases(Remote registrar) {

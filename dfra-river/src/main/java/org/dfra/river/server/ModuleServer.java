@@ -44,6 +44,7 @@ import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.remote.GrantedModuleLease;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.security.SecureProcess;
+import org.dfra.river.security.budget.ProcessBudgets;
 import org.dfra.river.security.news.NewsExchange;
 import org.dfra.river.server.Exporters.ServerSettings;
 import org.jspecify.annotations.Nullable;
@@ -180,7 +181,7 @@ public abstract class ModuleServer<M extends Module>
       onUndo(beforeExport());
       Remote exported = exporter.export(this);
       remote = exported;
-      exportNews();
+      exportSecurity();
       onUndo(() -> exporter.unexport(true));
       ModuleProxy<?> proxy =
           parts.proxy(kind, (RemoteModule) exported, id(), driver.identification());
@@ -300,7 +301,11 @@ public abstract class ModuleServer<M extends Module>
   }
 
   /** At the same port, for all modules of the process. */
-  private void exportNews() throws ExportException {
+  private void exportSecurity() throws ExportException {
+    Optional<ProcessBudgets> budgets = SecureProcess.budgets();
+    if (budgets.isPresent()) {
+      budgets.get().export(activation.host());
+    }
     Optional<NewsExchange> news = SecureProcess.news();
     if (news.isPresent()) {
       news.get().export(activation.host());

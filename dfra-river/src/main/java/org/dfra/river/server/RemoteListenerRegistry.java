@@ -7,14 +7,18 @@ import java.util.Optional;
 import java.util.UUID;
 import java.util.stream.LongStream;
 import net.jini.core.lease.Lease;
+import org.dfra.core.budget.BudgetExceededException;
+import org.dfra.core.budget.ListenerShare;
 import org.dfra.core.event.EventHub;
 import org.dfra.core.module.ModuleImpl;
 import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.ModuleListener;
 import org.dfra.event.delivery.BatchLimits;
+import org.dfra.event.delivery.BatchListener;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.NotReadyException;
 import org.dfra.river.call.CallbackProxies;
+import org.dfra.river.call.PeerAddress;
 import org.dfra.river.callback.CallbackLimiter;
 import org.dfra.river.callback.CallbackLimiter.CallbackSlot;
 import org.dfra.river.callback.CallbackRefusedException;
@@ -23,6 +27,8 @@ import org.dfra.river.callback.PeerQuota;
 import org.dfra.river.lease.ModuleLandlord;
 import org.dfra.river.remote.GrantedSubscription;
 import org.dfra.river.remote.RemoteModuleListener;
+import org.dfra.river.security.SecureProcess;
+import org.dfra.river.security.budget.ProcessBudgets;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -73,6 +79,7 @@ final class RemoteListenerRegistry {
     final ModuleListener listener;
     final ClientAddress client;
     boolean isCounted; // guarded by the listeners
+    @Nullable ListenerShare share; // guarded by the listeners
     @Nullable CallbackSlot slot; // guarded by the listeners
     EventHub.@Nullable ListenerEntry entry; // guarded by the listeners
     @Nullable UUID lease; // guarded by the listeners
@@ -98,7 +105,7 @@ final class RemoteListenerRegistry {
     RegisteredListener now = new RegisteredListener(listener, ClientAddress.ofCurrentCall(host));
     try {
       return register(now, remote, policy);
-    } catch (LeaseRefusedException | CallbackRefusedException e) {
+    } catch (LeaseRefusedException | CallbackRefusedException | BudgetExceededException e) {
       remove(now);
       throw refused(String.valueOf(e.getMessage()));
     } catch (RuntimeException e) {
@@ -114,12 +121,14 @@ final class RemoteListenerRegistry {
   @GuardedBy("this")
   private GrantedSubscription register(
       RegisteredListener now, RemoteModuleListener remote, DeliveryPolicy policy)
-      throws LeaseRefusedException, CallbackRefusedException {
+      throws LeaseRefusedException, CallbackRefusedException, BudgetExceededException {
     Optional<String> refusal = quota.acquire(now.client);
     if (refusal.isPresent()) {
       throw refused(refusal.get());
     }
     now.isCounted = true;
+    ListenerShare share = BudgetedListener.admit(driver.identification().name()).orElse(null);
+    now.share = share;
     CallbackSlot place = CallbackLimiter.shared().admit(now.client, remote);
     now.slot = place;
     Runnable gone = () -> remove(now); // also if the client cancels the lease
@@ -130,10 +139,13 @@ final class RemoteListenerRegistry {
         driver
             .events()
             .add(
-                new ListenerCalls(
-                    CallbackProxies.withDeadline(
-                        remote, RemoteModuleListener.class, CallbackProxies.DEADLINE),
-                    () -> driver.leases().prolong(id)),
+                within(
+                    share,
+                    remote,
+                    new ListenerCalls(
+                        CallbackProxies.withDeadline(
+                            remote, RemoteModuleListener.class, CallbackProxies.DEADLINE),
+                        () -> driver.leases().prolong(id))),
                 BATCH,
                 policy,
                 FAILURES,
@@ -145,11 +157,32 @@ final class RemoteListenerRegistry {
         lease, entry.epoch(), LongStream.of(entry.lastSequences()).boxed().toList());
   }
 
+  /** The calls to a listener, within its budgets if there are any. */
+  private BatchListener within(
+      @Nullable ListenerShare share, RemoteModuleListener remote, BatchListener calls) {
+    Optional<ProcessBudgets> budgets = SecureProcess.budgets();
+    if (share == null || budgets.isEmpty()) {
+      return calls;
+    }
+    @Nullable PeerAddress to = PeerAddress.of(remote);
+    boolean isOnRadio = to == null || BudgetedListener.leavesComputer(to.host(), host);
+    ProcessBudgets process = budgets.get();
+    return new BudgetedListener(
+        calls,
+        share,
+        isOnRadio ? () -> process.oneIn(share.priority()) : () -> 1,
+        process::countThinned,
+        System::nanoTime);
+  }
+
   /** Also for one that is being removed: ending its lease calls this again, without effect. */
   private synchronized void remove(RegisteredListener gone) {
     boolean unused = registered.remove(gone.listener, gone);
     if (gone.entry != null) {
       driver.events().remove(gone.entry);
+    }
+    if (gone.share != null) {
+      gone.share.close();
     }
     if (gone.slot != null) {
       gone.slot.close();

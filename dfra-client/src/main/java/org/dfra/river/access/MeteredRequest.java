@@ -1,0 +1,11 @@
+package org.dfra.river.access;
+
+/** A request of a transport that counts its bytes. */
+public interface MeteredRequest {
+
+  /**
+   * The bytes that its connection has sent and received since the last call of this method for the
+   * same connection. For the thread that serves the connection.
+   */
+  long takeBytes();
+}
