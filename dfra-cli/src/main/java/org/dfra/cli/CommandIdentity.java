@@ -25,6 +25,10 @@ final class CommandIdentity {
           "completion",
           "help");
 
+  /** The commands of "policy" that call robots; the others read files. */
+  private static final Set<String> POLICY_OF_ROBOTS =
+      Set.of("fact", "requests", "confirm", "refuse");
+
   /** Stopping is safe: it also goes to robots whose certificate has expired. */
   private static final String STOP = "stop";
 
@@ -40,13 +44,18 @@ final class CommandIdentity {
    * @throws IllegalStateException if there is one that cannot be used
    */
   static void install(String[] args, Consumer<String> warning) {
-    if (args.length > 0 && !args[0].startsWith("-") && !WITHOUT.contains(args[0])) {
+    if (args.length > 0 && !args[0].startsWith("-") && isCalling(args)) {
       SecureProcess.Installed own =
           SecureProcess.install(SecureProcess.folder(state(List.of(args))), args[0].equals(STOP));
       if (own.mode() == SecurityMode.CLOSED) {
         warning.accept(own.fault());
       }
     }
+  }
+
+  private static boolean isCalling(String[] args) {
+    return !WITHOUT.contains(args[0])
+        || (args[0].equals("policy") && args.length > 1 && POLICY_OF_ROBOTS.contains(args[1]));
   }
 
   private static Path state(List<String> args) {

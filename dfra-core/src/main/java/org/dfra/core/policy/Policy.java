@@ -25,6 +25,11 @@ public record Policy(
     rules = List.copyOf(rules);
   }
 
+  /** Whether one of its rules has a condition about the robot's position. */
+  public boolean needsPosition() {
+    return rules.stream().anyMatch(PolicyRule::needsPosition);
+  }
+
   /** Which policy it is. */
   PolicyIdentity identity() {
     return new PolicyIdentity(team, version, digest);

@@ -15,19 +15,24 @@ import org.dfra.core.audit.AuditKind.SecurityMode;
 import org.dfra.core.audit.AuditTrail;
 import org.dfra.core.audit.AuditedGuard;
 import org.dfra.core.policy.BuiltInPolicies;
+import org.dfra.core.policy.Confirmations;
+import org.dfra.core.policy.DecisionLog;
 import org.dfra.core.policy.InterfaceCatalogue;
 import org.dfra.core.policy.MethodKind;
 import org.dfra.core.policy.MethodKinds;
 import org.dfra.core.policy.Policy;
+import org.dfra.core.policy.PolicyFacts;
 import org.dfra.core.policy.PolicyGuard;
 import org.dfra.core.policy.PolicySignatureException;
 import org.dfra.core.policy.PolicyStore;
+import org.dfra.river.identity.FlooredClock;
 import org.dfra.river.identity.RevokedCertificates;
 import org.dfra.river.identity.RobotAlone;
 import org.dfra.river.identity.TeamCredentials;
 import org.dfra.river.identity.TeamCredentials.RobotKey;
 import org.dfra.river.identity.TeamIdentity;
 import org.dfra.river.security.news.TeamNews;
+import org.dfra.river.security.robot.RobotState;
 import org.dfra.security.AccessRequest;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
@@ -66,6 +71,7 @@ final class ProcessIdentity {
    * @param folder with its policy
    * @param mode secure, or closed if others no longer believe the certificate
    * @param believesExpired whether servers with an expired certificate are called
+   * @param robot facts and confirmations for its policy; null if it is a person
    * @throws IOException if the policy cannot be read, or the authority has not signed it
    * @throws GeneralSecurityException if the list of revoked certificates or the key cannot be used
    */
@@ -74,7 +80,8 @@ final class ProcessIdentity {
       Path folder,
       SecurityMode mode,
       boolean believesExpired,
-      Clock clock)
+      FlooredClock clock,
+      @Nullable RobotState robot)
       throws IOException, GeneralSecurityException {
     String team = credentials.member().team();
     Optional<Policy> stored = stored(folder, credentials.authority());
@@ -89,7 +96,14 @@ final class ProcessIdentity {
     }
     Set<PublicKey> otherOwn =
         credentials.robotKey().map(it -> Set.of(it.certificate().getPublicKey())).orElse(Set.of());
-    PolicyGuard guard = new PolicyGuard(policy);
+    PolicyGuard guard =
+        new PolicyGuard(
+            policy,
+            robot == null ? PolicyFacts.none() : robot.facts(),
+            robot == null ? Confirmations.none() : robot.confirmations(),
+            new DecisionLog(System::nanoTime),
+            clock,
+            System::nanoTime);
     ReplaceableGuard asked = new ReplaceableGuard(guard);
     TeamIdentity identity =
         new TeamIdentity(
@@ -163,7 +177,8 @@ final class ProcessIdentity {
         new AuditedGuard(
             policy,
             trail,
-            method -> MethodKinds.of(method.getDeclaringClass(), method).kind() == MethodKind.READ);
+            method -> MethodKinds.of(method.getDeclaringClass(), method).kind() == MethodKind.READ,
+            policy::obligations);
   }
 
   /** Records an event, if there is an audit trail. */

@@ -3,22 +3,27 @@ package org.dfra.river.security;
 import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.rmi.server.ExportException;
 import java.security.GeneralSecurityException;
 import java.time.Clock;
-import java.time.Instant;
 import java.time.InstantSource;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.locks.LockSupport;
 import org.dfra.core.audit.AuditEvent;
 import org.dfra.core.audit.AuditKind.SecurityMode;
 import org.dfra.core.audit.AuditSettings;
 import org.dfra.core.audit.AuditTrail;
+import org.dfra.module.Module;
 import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.IdentityFolder;
 import org.dfra.river.identity.SecurityFiles;
 import org.dfra.river.identity.TeamCredentials;
 import org.dfra.river.security.news.NewsExchange;
+import org.dfra.river.security.robot.PolicyControls;
+import org.dfra.river.security.robot.RobotState;
+import org.dfra.security.MemberRole;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -56,7 +61,13 @@ public final class SecureProcess {
   @GuardedBy("SecureProcess.class")
   private static @Nullable ProcessIdentity identity;
 
+  @GuardedBy("SecureProcess.class")
+  private static @Nullable KnownTime time;
+
   private static volatile @Nullable NewsExchange news;
+  private static volatile @Nullable RobotState robot;
+  private static volatile @Nullable PolicyControls control;
+  private static volatile @Nullable Thread watch;
 
   private SecureProcess() {}
 
@@ -111,23 +122,78 @@ public final class SecureProcess {
     ProcessIdentity made;
     SecurityMode mode;
     String fault;
+    @Nullable KnownTime known = null;
+    @Nullable RobotState shared = null;
     try {
       TeamCredentials credentials = IdentityFolder.load(folder);
-      fault = fault(credentials);
+      boolean isLasting = System.getProperty(PROPERTY) != null; // no command
+      known = KnownTime.of(folder, credentials, InstantSource.system(), isLasting);
+      fault = fault(credentials, known.clock());
       mode = fault.isEmpty() ? SecurityMode.SECURE : SecurityMode.CLOSED;
-      made = ProcessIdentity.of(credentials, folder, mode, believesExpired, Clock.systemUTC());
+      if (mode == SecurityMode.SECURE && credentials.member().role() == MemberRole.ROBOT) {
+        shared = new RobotState(state(folder), known.clock(), SecureProcess::lookSoon);
+      }
+      made = ProcessIdentity.of(credentials, folder, mode, believesExpired, known.clock(), shared);
     } catch (IdentityException | IOException | GeneralSecurityException e) {
       mode = SecurityMode.CLOSED;
       fault = Objects.toString(e.getMessage(), e.toString());
       made = closed(folder, fault);
+      shared = null;
     }
     identity = made;
+    time = known;
     CurrentIdentity.setForProcess(made.identity());
-    SecurityWatch.start(folder, made);
+    watch = SecurityWatch.start(folder, made, known, shared);
     if (mode == SecurityMode.SECURE) {
       news = new NewsExchange(folder, made.authority(), made::numbers);
     }
+    if (shared != null) {
+      robot = shared;
+      control = new PolicyControls(shared);
+    }
     return new Installed(mode, made.identity().member().toString(), made.identity().robot(), fault);
+  }
+
+  /** Has a request for confirmation shown to operators. */
+  private static void lookSoon() {
+    LockSupport.unpark(watch);
+  }
+
+  /**
+   * Why this computer's clock does not count, in a sentence with the remedy; empty if it does, or
+   * if this process is open.
+   */
+  public static synchronized Optional<String> clockFault() {
+    return Optional.ofNullable(time).flatMap(KnownTime::fault);
+  }
+
+  /**
+   * Exports what other members call in each process of a member, at the port of everything else
+   * that it exports at a host. Does nothing the second time, and nothing if this process is not
+   * secure.
+   *
+   * @param host address of this computer, as in its proxies
+   */
+  public static void export(String host) throws ExportException {
+    @Nullable NewsExchange exchanged = news;
+    if (exchanged != null) {
+      exchanged.export(host);
+    }
+    @Nullable PolicyControls controlled = control;
+    if (controlled != null) {
+      controlled.export(host);
+    }
+  }
+
+  /**
+   * Takes the robot's position from a module of this process, if it knows it and this process is a
+   * secure robot's.
+   *
+   * @return ends that
+   */
+  public static AutoCloseable offerPosition(Module module) {
+    @Nullable RobotState own = robot;
+    return own == null ? () -> {} : own.offerPosition(module);
   }
 
   /** Exchanges news of the authority with others; empty if this process is not secure. */
@@ -136,13 +202,13 @@ public final class SecureProcess {
   }
 
   /** Why nobody else would believe this member; empty if they do. */
-  private static String fault(TeamCredentials credentials) {
+  private static String fault(TeamCredentials credentials, InstantSource clock) {
     if (credentials.isRevoked()) {
       return "the certificate of "
           + credentials.member()
           + " is revoked; ask the team's authority for a new one";
     }
-    return credentials.validityFault(Instant.now()).orElse("");
+    return credentials.validityFault(clock.instant()).orElse("");
   }
 
   /**
@@ -157,11 +223,12 @@ public final class SecureProcess {
     if (own == null || folder == null) {
       return;
     }
-    Path state = Objects.requireNonNull(Path.of(folder).toAbsolutePath().getParent());
     AuditTrail trail =
         new AuditTrail(
             AuditSettings.of(
-                AuditSettings.folder(state), stream, own.identity().member().toString()),
+                AuditSettings.folder(state(Path.of(folder))),
+                stream,
+                own.identity().member().toString()),
             InstantSource.system());
     try {
       trail.start();
@@ -172,6 +239,10 @@ public final class SecureProcess {
     Runtime.getRuntime().addShutdownHook(new Thread(trail::close, "audit-end"));
     own.audit(trail);
     trail.record(AuditEvent.processStarted(current().mode(), current().fault()));
+  }
+
+  private static Path state(Path folder) {
+    return Objects.requireNonNull(folder.toAbsolutePath().getParent());
   }
 
   /** The robot's own key has no dates, and a file of its own. */

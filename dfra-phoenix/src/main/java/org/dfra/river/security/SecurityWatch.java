@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
+import java.security.cert.X509CRL;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
@@ -16,6 +17,8 @@ import org.dfra.core.policy.PolicyReplacementException;
 import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.SecurityFiles;
 import org.dfra.river.identity.SignedFiles;
+import org.dfra.river.security.robot.RobotState;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -24,7 +27,8 @@ import org.slf4j.LoggerFactory;
  * that cannot be used changes nothing: the last good one stays in force.
  *
  * <p>Thread: one daemon, {@code dfra-security}, for the life of the process. It looks at the times
- * of two files twice a second, since a folder that is replaced as a whole cannot be watched.
+ * of two files twice a second, since a folder that is replaced as a whole cannot be watched, and at
+ * what the robot's processes share for decisions by the policy.
  */
 final class SecurityWatch implements Runnable {
 
@@ -32,15 +36,23 @@ final class SecurityWatch implements Runnable {
 
   private static final long PERIOD_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
 
+  /** While an operator may answer a request at any moment. */
+  private static final long ANSWER_PERIOD_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
+
   private final Path policyFile;
   private final Path revokedFile;
   private final Path folder;
   private final ProcessIdentity identity;
+  private final @Nullable KnownTime time;
+  private final @Nullable RobotState robot;
   private List<Object> policyState;
   private List<Object> revokedState;
 
-  private SecurityWatch(Path folder, ProcessIdentity identity) {
+  private SecurityWatch(
+      Path folder, ProcessIdentity identity, @Nullable KnownTime time, @Nullable RobotState robot) {
     this.folder = folder;
+    this.time = time;
+    this.robot = robot;
     this.policyFile = folder.resolve(SecurityFiles.POLICY);
     this.revokedFile = folder.resolve(SecurityFiles.REVOKED);
     this.identity = identity;
@@ -48,11 +60,20 @@ final class SecurityWatch implements Runnable {
     this.revokedState = state(revokedFile);
   }
 
-  /** Starts to watch what has just been loaded. */
-  static void start(Path folder, ProcessIdentity identity) {
-    Thread thread = new Thread(new SecurityWatch(folder, identity), "dfra-security");
+  /**
+   * Starts to watch what has just been loaded.
+   *
+   * @param time null if the identity cannot be used
+   * @param robot what a robot's processes share for decisions by the policy; null if this is no
+   *     process of a secure robot
+   * @return the thread; if it is unparked, it looks at once
+   */
+  static Thread start(
+      Path folder, ProcessIdentity identity, @Nullable KnownTime time, @Nullable RobotState robot) {
+    Thread thread = new Thread(new SecurityWatch(folder, identity, time, robot), "dfra-security");
     thread.setDaemon(true);
     thread.start();
+    return thread;
   }
 
   /** What changes when a file does; empty if there is none. */
@@ -69,15 +90,24 @@ final class SecurityWatch implements Runnable {
 
   @Override
   public void run() {
+    boolean isAnswerAwaited = lookAtRobot(); // facts count from the first calls on
     while (true) {
-      LockSupport.parkNanos(this, PERIOD_NANOS);
+      LockSupport.parkNanos(this, isAnswerAwaited ? ANSWER_PERIOD_NANOS : PERIOD_NANOS);
       try {
         lookAtRevoked();
         lookAtPolicy();
+        isAnswerAwaited = lookAtRobot();
+        if (time != null) {
+          time.keep();
+        }
       } catch (RuntimeException e) { // the next change counts all the same
         LOG.error("A change of {} was not noticed.", folder, e);
       }
     }
+  }
+
+  private boolean lookAtRobot() {
+    return robot != null && robot.look(identity.policy().policy().needsPosition());
   }
 
   private void lookAtRevoked() {
@@ -87,15 +117,13 @@ final class SecurityWatch implements Runnable {
     }
     revokedState = now;
     try {
-      boolean isNewer =
-          identity
-              .revoked()
-              .replace(
-                  SignedFiles.revocations(
-                      SecurityFiles.read(revokedFile),
-                      identity.authority(),
-                      revokedFile.toString()));
-      if (isNewer) {
+      X509CRL list =
+          SignedFiles.revocations(
+              SecurityFiles.read(revokedFile), identity.authority(), revokedFile.toString());
+      if (identity.revoked().replace(list)) {
+        if (time != null) {
+          time.learn(list);
+        }
         long number = identity.revoked().number().longValue();
         LOG.info("The list {} of revoked certificates is in force.", number);
         identity.record(AuditEvent.revocationReceived(number, revokedFile.toString(), ""));
