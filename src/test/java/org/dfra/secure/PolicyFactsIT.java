@@ -85,6 +85,7 @@ class PolicyFactsIT {
   private static Thermometer oscars;
   private static Thermometer ottos;
   private static MemberCalls otto;
+  private static MemberCalls oscar;
 
   @BeforeAll
   static void make() throws Exception {
@@ -106,9 +107,8 @@ class PolicyFactsIT {
             + TeamRobots.group("warm", TeamRobots.thermometer(17)));
     ok(team.up(ROBOT));
     otto = new MemberCalls(team.security(OTTO));
-    oscars =
-        new MemberCalls(team.security(OSCAR))
-            .find(team.registrar(ROBOT), Thermometer.class, "atrv1/warmth");
+    oscar = new MemberCalls(team.security(OSCAR));
+    oscars = oscar.find(team.registrar(ROBOT), Thermometer.class, "atrv1/warmth");
     ottos = otto.find(team.registrar(ROBOT), Thermometer.class, "atrv1/warmth");
   }
 
@@ -151,7 +151,7 @@ class PolicyFactsIT {
   }
 
   private static boolean lease() throws Exception {
-    oscars.acquireLease(Duration.ofSeconds(5)).close();
+    oscar.call(() -> oscars.acquireLease(Duration.ofSeconds(5))).close();
     return true;
   }
 
@@ -234,9 +234,44 @@ class PolicyFactsIT {
     return all.toString();
   }
 
-  /** The last: it ends the receiver. */
   @Test
   @Order(3)
+  void aClockThatIsBehindTheLatestTimeThatIsKnownCountsAsNotSet() throws Exception {
+    ok(team.ask(ANNA, "policy", "fact", ROBOT, "load=none"));
+    awaitPermission(PolicyFactsIT::lease);
+    Path latest = team.security(ROBOT).resolve("latest-time");
+    assertThat(Instant.parse(Files.readString(latest).strip()))
+        .as("what the processes have kept")
+        .isBetween(Instant.now().minus(Duration.ofMinutes(30)), Instant.now());
+    Files.writeString(latest, Instant.now().plus(Duration.ofDays(1)) + "\n");
+    assertThat(ok(team.dfra(ROBOT, "status")).out())
+        .contains("Clock: this computer's clock says", "so the clock was not set");
+
+    MemberCalls own = new MemberCalls(team.security(ROBOT));
+    SecureTeam.kill(
+        ProcessHandle.of(
+                own.call(() -> team.phoenix(ROBOT).admin().groupStatus()).stream()
+                    .filter(each -> each.name().endsWith(".warm"))
+                    .findFirst()
+                    .orElseThrow()
+                    .pid())
+            .orElseThrow());
+    await()
+        .pollInSameThread()
+        .atMost(SecureTeam.PATIENCE)
+        .ignoreExceptionsMatching(RemoteException.class::isInstance)
+        .until(() -> oscars.readiness().serves());
+    assertThatThrownBy(PolicyFactsIT::lease)
+        .as("a permit with <when>")
+        .isInstanceOf(AccessRefusedException.class);
+    assertThat(Instant.parse(Files.readString(latest).strip()))
+        .as("it never goes back")
+        .isAfter(Instant.now().plus(Duration.ofHours(23)));
+  }
+
+  /** The last: it ends the receiver. */
+  @Test
+  @Order(4)
   void thePositionOfAReceiverCountsInEachProcessUntilItIsTooOld() throws Exception {
     ServiceRegistrar registrar = otto.call(() -> MemberCalls.registrar(team.registrar(ROBOT)));
     for (Callable<?> each : List.<Callable<?>>of(ottos::history, registrar::getGroups)) {
