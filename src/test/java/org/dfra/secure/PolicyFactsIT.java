@@ -163,7 +163,7 @@ class PolicyFactsIT {
         .hasMessageContaining("by rule loaded");
     Outcome refused = team.ask(OTTO, "policy", "fact", ROBOT, "load=none");
     assertThat(refused.exit()).as(refused.out() + refused.err()).isEqualTo(1);
-    assertThat(refused.err()).contains("setFact of policy is refused to observer otto");
+    assertThat(refused.err()).contains("setFact is refused to observer otto");
 
     assertThat(ok(team.ask(ANNA, "policy", "fact", ROBOT, "load=none")).out())
         .contains("The fact load of atrv1 is none now.");
@@ -189,7 +189,7 @@ class PolicyFactsIT {
         .hasMessageContaining("only when an operator has confirmed it");
     String request = awaitRequest();
     Outcome refused = team.ask(OTTO, "policy", "confirm", ROBOT, request);
-    assertThat(refused.err()).contains("answer of policy is refused to observer otto");
+    assertThat(refused.err()).contains("answer is refused to observer otto");
     assertThat(refused.exit()).isEqualTo(1);
     awaitRefusal(call);
 

@@ -133,7 +133,7 @@ public final class IdentityInstaller {
     write(draft, SecurityFiles.REVOKED, newest(bundle, former));
     writePolicy(draft, bundle, former);
     Path latest = folder().resolve(SecurityFiles.LATEST_TIME);
-    if (Files.exists(latest)) { // time goes on, whoever the computer becomes
+    if (Files.exists(latest)) { // time goes on, also for another member
       write(draft, SecurityFiles.LATEST_TIME, Files.readAllBytes(latest));
     }
     Path jaas = folder().resolve(SecurityFiles.JAAS);

@@ -31,7 +31,7 @@ public final class ConfirmationRequests implements Confirmations {
   public static final int KEPT_SECONDS = 300;
 
   /** Without those that are easily confused. */
-  private static final String ID_LETTERS = "abcdefghjkmnpqrstuvwxyz23456789";
+  private static final String ID_CHARACTERS = "abcdefghjkmnpqrstuvwxyz23456789";
 
   private static final int ID_LENGTH = 5;
   private static final long KEPT_NANOS = TimeUnit.SECONDS.toNanos(KEPT_SECONDS);
@@ -71,7 +71,7 @@ public final class ConfirmationRequests implements Confirmations {
   /**
    * A request that waits.
    *
-   * @param id by which an operator answers it: random letters, so that it never means another one
+   * @param id by which an operator answers it: random characters, so that it never means another one
    * @param rule name of the rule that obliges to it
    * @param end when it is dropped, by the monotonic clock, in nanoseconds
    */
@@ -120,7 +120,7 @@ public final class ConfirmationRequests implements Confirmations {
   private String newId() {
     StringBuilder id = new StringBuilder();
     for (int i = 0; i < ID_LENGTH; i++) {
-      id.append(ID_LETTERS.charAt(random.nextInt(ID_LETTERS.length())));
+      id.append(ID_CHARACTERS.charAt(random.nextInt(ID_CHARACTERS.length())));
     }
     return id.toString();
   }

@@ -90,9 +90,8 @@ final class SecurityWatch implements Runnable {
 
   @Override
   public void run() {
-    boolean isAnswerAwaited = lookAtRobot(); // facts count from the first calls on
+    boolean isAnswerAwaited = false;
     while (true) {
-      LockSupport.parkNanos(this, isAnswerAwaited ? ANSWER_PERIOD_NANOS : PERIOD_NANOS);
       try {
         lookAtRevoked();
         lookAtPolicy();
@@ -103,6 +102,7 @@ final class SecurityWatch implements Runnable {
       } catch (RuntimeException e) { // the next change counts all the same
         LOG.error("A change of {} was not noticed.", folder, e);
       }
+      LockSupport.parkNanos(this, isAnswerAwaited ? ANSWER_PERIOD_NANOS : PERIOD_NANOS);
     }
   }
 

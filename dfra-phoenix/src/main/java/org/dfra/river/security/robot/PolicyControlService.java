@@ -7,13 +7,12 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import net.jini.export.ServerContext;
 import org.dfra.geometry.GeoPosition;
-import org.dfra.river.access.GuardedObject;
 import org.dfra.river.identity.FlooredClock;
 import org.dfra.security.Caller;
 import org.jspecify.annotations.Nullable;
 
 /** A process's part of {@link PolicyControl}. */
-final class PolicyControlService implements PolicyControl, GuardedObject {
+final class PolicyControlService implements PolicyControl {
 
   private final FactFile facts;
   private final RequestFiles requests;
@@ -37,11 +36,6 @@ final class PolicyControlService implements PolicyControl, GuardedObject {
     this.clock = clock;
     this.position = position;
     this.isPositionNeeded = isPositionNeeded;
-  }
-
-  @Override
-  public String guardedName() {
-    return "policy";
   }
 
   @Override

@@ -18,7 +18,7 @@ import org.slf4j.LoggerFactory;
 public final class RobotState {
 
   /** The folder in the state folder. It is not a part of the identity, which is replaced. */
-  public static final String FOLDER = "robot";
+  public static final String FOLDER = "policy-state";
 
   private static final Logger LOG = LoggerFactory.getLogger(RobotState.class);
 
