@@ -71,7 +71,8 @@ public final class ConfirmationRequests implements Confirmations {
   /**
    * A request that waits.
    *
-   * @param id by which an operator answers it: random characters, so that it never means another one
+   * @param id by which an operator answers it: random characters, so that it never means another
+   *     one
    * @param rule name of the rule that obliges to it
    * @param end when it is dropped, by the monotonic clock, in nanoseconds
    */
