@@ -1,11 +1,13 @@
 package org.dfra.river.identity;
 
 import java.io.IOException;
+import java.math.BigInteger;
 import java.net.InetAddress;
 import java.security.GeneralSecurityException;
 import java.security.Principal;
 import java.security.PrivateKey;
 import java.security.PublicKey;
+import java.security.cert.CertificateException;
 import java.security.cert.X509Certificate;
 import java.time.InstantSource;
 import java.util.HashSet;
@@ -139,6 +141,21 @@ public final class TeamIdentity implements ChannelIdentity {
     sessions.setSessionCacheSize(SESSIONS);
   }
 
+  /**
+   * Checks that the team's authority has issued a certificate to a member, and not revoked it. It
+   * may have expired. The own one is believed too.
+   *
+   * @throws CertificateException if not; the message says why
+   */
+  public void requireMember(X509Certificate certificate) throws CertificateException {
+    trust.checkClientTrusted(new X509Certificate[] {certificate}, certificate.getSigAlgName());
+  }
+
+  /** The certificate that it shows. */
+  public X509Certificate certificate() {
+    return own;
+  }
+
   /** Who it is. */
   public Member member() {
     return member;
@@ -239,6 +256,11 @@ public final class TeamIdentity implements ChannelIdentity {
   }
 
   @Override
+  public boolean isRevoked(BigInteger certificate) {
+    return revoked.contains(certificate);
+  }
+
+  @Override
   public void addRevocationListener(Runnable listener) {
     revoked.addListener(listener);
   }
@@ -314,6 +336,13 @@ public final class TeamIdentity implements ChannelIdentity {
     private boolean isOwnHere() {
       return (isLocal || !TeamIdentity.this.isRevoked(certificate))
           && (isThisComputer || (certificate.equals(own) && isIssued));
+    }
+
+    @Override
+    public Optional<BigInteger> certificateNumber() {
+      boolean isOwnWork =
+          isThisComputer && (trust.standing(certificate) == Standing.OWN || who.equals(member));
+      return isOwnWork ? Optional.empty() : Optional.of(certificate.getSerialNumber());
     }
 
     @Override

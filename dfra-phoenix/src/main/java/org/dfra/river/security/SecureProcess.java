@@ -9,17 +9,19 @@ import java.time.Clock;
 import java.time.InstantSource;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.concurrent.locks.LockSupport;
 import org.dfra.core.audit.AuditEvent;
 import org.dfra.core.audit.AuditKind.SecurityMode;
 import org.dfra.core.audit.AuditSettings;
 import org.dfra.core.audit.AuditTrail;
 import org.dfra.module.Module;
+import org.dfra.river.identity.ChannelIdentity;
 import org.dfra.river.identity.CurrentIdentity;
+import org.dfra.river.identity.FlooredClock;
 import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.IdentityFolder;
 import org.dfra.river.identity.SecurityFiles;
 import org.dfra.river.identity.TeamCredentials;
+import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.security.news.NewsExchange;
 import org.dfra.river.security.robot.PolicyControls;
 import org.dfra.river.security.robot.RobotState;
@@ -67,7 +69,8 @@ public final class SecureProcess {
   private static volatile @Nullable NewsExchange news;
   private static volatile @Nullable RobotState robot;
   private static volatile @Nullable PolicyControls control;
-  private static volatile @Nullable Thread watch;
+
+  private static volatile @Nullable SecurityWatch watch;
 
   private SecureProcess() {}
 
@@ -145,7 +148,8 @@ public final class SecureProcess {
     CurrentIdentity.setForProcess(made.identity());
     watch = SecurityWatch.start(folder, made, known, shared);
     if (mode == SecurityMode.SECURE) {
-      news = new NewsExchange(folder, made.authority(), made::numbers);
+      news = new NewsExchange(folder, made.authority(), made.identity(), made::numbers);
+      TrustedCode.trustTeam(new TeamCode(made.authority(), made.revoked(), Objects.requireNonNull(known).clock()));
     }
     if (shared != null) {
       robot = shared;
@@ -156,7 +160,10 @@ public final class SecureProcess {
 
   /** Has a request for confirmation shown to operators. */
   private static void lookSoon() {
-    LockSupport.unpark(watch);
+    @Nullable SecurityWatch watching = watch;
+    if (watching != null) {
+      watching.wake();
+    }
   }
 
   /**
@@ -194,6 +201,34 @@ public final class SecureProcess {
   public static AutoCloseable offerPosition(Module module) {
     @Nullable RobotState own = robot;
     return own == null ? () -> {} : own.offerPosition(module);
+  }
+
+  /**
+   * The identity of another member, for {@link CurrentIdentity#callAs}: in programs that act for
+   * several, such as demonstrations. Its policy and list of revoked certificates stay as they are
+   * now.
+   *
+   * @param folder {@code security} in the member's state folder
+   * @throws IdentityException if it cannot be used; the message says why
+   * @throws GeneralSecurityException if this virtual machine cannot use the key
+   */
+  public static ChannelIdentity other(Path folder)
+      throws IdentityException, IOException, GeneralSecurityException {
+    TeamCredentials credentials = IdentityFolder.load(folder);
+    FlooredClock clock = KnownTime.of(folder, credentials, InstantSource.system(), false).clock();
+    return ProcessIdentity.of(credentials, folder, SecurityMode.SECURE, false, clock, null)
+        .identity();
+  }
+
+  /**
+   * Takes a policy or a list of revoked certificates that was just written into the folder of the
+   * identity. Without it, this process notices the change a little later.
+   */
+  public static void readAgain() {
+    SecurityWatch watching = watch;
+    if (watching != null) {
+      watching.look();
+    }
   }
 
   /** Exchanges news of the authority with others; empty if this process is not secure. */

@@ -1,5 +1,6 @@
 package org.dfra.river.security;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -17,6 +18,7 @@ import org.dfra.core.policy.PolicyReplacementException;
 import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.SecurityFiles;
 import org.dfra.river.identity.SignedFiles;
+import org.dfra.river.security.news.NewsExchange;
 import org.dfra.river.security.robot.RobotState;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -24,7 +26,8 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Reads the policy and the list of revoked certificates again when their files have changed. A file
- * that cannot be used changes nothing: the last good one stays in force.
+ * that cannot be used changes nothing: the last good one stays in force. Also has the end of the
+ * audit trail signed in each period.
  *
  * <p>Thread: one daemon, {@code dfra-security}, for the life of the process. It looks at the times
  * of two files twice a second, since a folder that is replaced as a whole cannot be watched, and at
@@ -45,14 +48,27 @@ final class SecurityWatch implements Runnable {
   private final ProcessIdentity identity;
   private final @Nullable KnownTime time;
   private final @Nullable RobotState robot;
+  private final Thread thread;
+
+  @GuardedBy("this")
   private List<Object> policyState;
+
+  @GuardedBy("this")
   private List<Object> revokedState;
+
+  @GuardedBy("this")
+  private boolean hasSigned;
+
+  @GuardedBy("this")
+  private long signed; // by System.nanoTime
 
   private SecurityWatch(
       Path folder, ProcessIdentity identity, @Nullable KnownTime time, @Nullable RobotState robot) {
     this.folder = folder;
     this.time = time;
     this.robot = robot;
+    this.thread = new Thread(this, "dfra-security");
+    thread.setDaemon(true);
     this.policyFile = folder.resolve(SecurityFiles.POLICY);
     this.revokedFile = folder.resolve(SecurityFiles.REVOKED);
     this.identity = identity;
@@ -66,14 +82,12 @@ final class SecurityWatch implements Runnable {
    * @param time null if the identity cannot be used
    * @param robot what a robot's processes share for decisions by the policy; null if this is no
    *     process of a secure robot
-   * @return the thread; if it is unparked, it looks at once
    */
-  static Thread start(
+  static SecurityWatch start(
       Path folder, ProcessIdentity identity, @Nullable KnownTime time, @Nullable RobotState robot) {
-    Thread thread = new Thread(new SecurityWatch(folder, identity, time, robot), "dfra-security");
-    thread.setDaemon(true);
-    thread.start();
-    return thread;
+    SecurityWatch watch = new SecurityWatch(folder, identity, time, robot);
+    watch.thread.start();
+    return watch;
   }
 
   /** What changes when a file does; empty if there is none. */
@@ -90,26 +104,54 @@ final class SecurityWatch implements Runnable {
 
   @Override
   public void run() {
-    boolean isAnswerAwaited = false;
     while (true) {
-      try {
-        lookAtRevoked();
-        lookAtPolicy();
-        isAnswerAwaited = lookAtRobot();
-        if (time != null) {
-          time.keep();
-        }
-      } catch (RuntimeException e) { // the next change counts all the same
-        LOG.error("A change of {} was not noticed.", folder, e);
-      }
+      boolean isAnswerAwaited = lookAtAll();
       LockSupport.parkNanos(this, isAnswerAwaited ? ANSWER_PERIOD_NANOS : PERIOD_NANOS);
     }
   }
 
-  private boolean lookAtRobot() {
-    return robot != null && robot.look(identity.policy().policy().needsPosition());
+  /** Has it look soon. Returns at once. */
+  void wake() {
+    LockSupport.unpark(thread);
   }
 
+  /** Looks now. */
+  void look() {
+    boolean unused = lookAtAll();
+  }
+
+  /** Returns whether an operator may answer a request at any moment. */
+  private synchronized boolean lookAtAll() {
+    try {
+      lookAtRevoked();
+      lookAtPolicy();
+      signHeadIfDue();
+      if (time != null) {
+        time.keep();
+      }
+      return robot != null && robot.look(identity.policy().policy().needsPosition());
+    } catch (RuntimeException e) { // the next change counts all the same
+      LOG.error("A change of {} was not noticed.", folder, e);
+      return false;
+    }
+  }
+
+  /** Soon after the audit trail has begun, and then in each period. */
+  @GuardedBy("this")
+  private void signHeadIfDue() {
+    Optional<NewsExchange> news = SecureProcess.news();
+    if (news.isEmpty() || !identity.hasHead()) {
+      return;
+    }
+    long now = System.nanoTime();
+    if (!hasSigned || now - signed >= NewsExchange.HEADS_PERIOD.toNanos()) {
+      hasSigned = true;
+      signed = now;
+      news.get().publishHead(identity::head);
+    }
+  }
+
+  @GuardedBy("this")
   private void lookAtRevoked() {
     List<Object> now = state(revokedFile);
     if (now.isEmpty() || now.equals(revokedState)) {
@@ -133,6 +175,7 @@ final class SecurityWatch implements Runnable {
     }
   }
 
+  @GuardedBy("this")
   private void lookAtPolicy() {
     List<Object> now = state(policyFile);
     if (identity.isClosed() || now.isEmpty() || now.equals(policyState)) {

@@ -175,6 +175,7 @@ public abstract class ModuleServer<M extends Module>
       // Step 4: the proxy, and before it the landlord, since clients may call immediately.
       landlord.start();
       onUndo(landlord);
+      onUndo(beforeExport());
       Remote exported = exporter.export(this);
       remote = exported;
       SecureProcess.export(activation.host());
@@ -211,6 +212,15 @@ public abstract class ModuleServer<M extends Module>
       undoAll().addSuppressedTo(e);
       throw e;
     }
+  }
+
+  /**
+   * Called when the driver has started, before clients can call.
+   *
+   * @return is closed with the server, after its export has ended
+   */
+  protected AutoCloseable beforeExport() {
+    return () -> {};
   }
 
   private void onUndo(AutoCloseable step) {
