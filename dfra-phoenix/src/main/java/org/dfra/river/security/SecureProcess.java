@@ -149,7 +149,8 @@ public final class SecureProcess {
     watch = SecurityWatch.start(folder, made, known, shared);
     if (mode == SecurityMode.SECURE) {
       news = new NewsExchange(folder, made.authority(), made.identity(), made::numbers);
-      TrustedCode.trustTeam(new TeamCode(made.authority(), made.revoked(), Objects.requireNonNull(known).clock()));
+      TrustedCode.trustTeam(
+          new TeamCode(made.authority(), made.revoked(), Objects.requireNonNull(known).clock()));
     }
     if (shared != null) {
       robot = shared;
