@@ -16,6 +16,7 @@ import org.dfra.core.policy.MethodKind;
 import org.dfra.core.policy.MethodKinds;
 import org.dfra.module.Administrative;
 import org.dfra.module.Idempotent;
+import org.dfra.module.StopsRobot;
 import org.junit.jupiter.api.Test;
 
 /** Each remote method has a kind for a reason: none is new, forgotten or only assumed. */
@@ -99,6 +100,17 @@ class RemoteMethodsTest {
     }
     assertThat(assumed).isEmpty();
     assertThat(methods).isGreaterThan(500);
+  }
+
+  @Test
+  void capacityIsKeptForExactlyTheStops() {
+    for (Class<?> type : RemoteInterfaces.WITH_SUPERINTERFACES) {
+      for (Method method : RemoteInterfaces.declared(type)) {
+        assertThat(method.isAnnotationPresent(StopsRobot.class))
+            .as("@StopsRobot of %s", method)
+            .isEqualTo(MethodKinds.of(type, method).kind() == MethodKind.STOP);
+      }
+    }
   }
 
   /** The table and the annotations cannot disagree about what is dangerous. */

@@ -32,6 +32,10 @@ final class CommandIdentity {
           "completion",
           "help");
 
+  /** The commands of "policy" that call robots; the others read files. */
+  private static final Set<String> POLICY_OF_ROBOTS =
+      Set.of("fact", "requests", "confirm", "refuse");
+
   /** Those of {@code security} that call robots. */
   private static final Set<String> SECURITY_WITH = Set.of("publish", "revoke");
 
@@ -81,6 +85,7 @@ final class CommandIdentity {
   private static boolean callsRobots(String[] args) {
     return !WITHOUT.contains(args[0])
         || (args[0].equals("security") && args.length > 1 && SECURITY_WITH.contains(args[1]))
+        || (args[0].equals("policy") && args.length > 1 && POLICY_OF_ROBOTS.contains(args[1]))
         || (args[0].equals(AUDIT) && Arrays.stream(args).anyMatch(each -> each.startsWith(FROM)));
   }
 

@@ -6,6 +6,7 @@ import org.dfra.flow.Device;
 import org.dfra.lease.LeaseRefusedException;
 import org.dfra.module.Administrative;
 import org.dfra.module.Idempotent;
+import org.dfra.module.StopsRobot;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -49,6 +50,7 @@ public interface Effector<C extends Command> extends Device {
    * @return the current state
    */
   @Idempotent
+  @StopsRobot
   EmergencyStopState emergencyStop(@Nullable String requester) throws RemoteException;
 
   /**

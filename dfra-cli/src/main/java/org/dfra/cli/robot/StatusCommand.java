@@ -114,6 +114,7 @@ public final class StatusCommand implements Callable<Integer> {
     answer.table(groups, table, "Phoenix answers, but no such robot is up on this host.");
     if (!answer.isJson()) {
       answer.line(security(), security() + ".");
+      SecureProcess.clockFault().ifPresent(fault -> answer.line(fault, "Clock: " + fault + "."));
       for (Group each : groups) {
         StoppedEffectors.notices(phoenix.state(), each.robot(), each.stopped())
             .forEach(sentence -> answer.line(sentence, sentence + "."));

@@ -50,7 +50,8 @@ public final class IdentityInstaller {
    *
    * <p>A computer that joins as the same member again keeps its robot's key, so that processes that
    * run already still know those that start later; a list of revoked certificates that is newer
-   * than the bundle's, and a policy that is; and its {@code jaas.conf}.
+   * than the bundle's, and a policy that is; and its {@code jaas.conf}. The latest time that the
+   * computer knows of is always kept.
    *
    * @param file the bundle's name, for messages
    * @param now what this computer's clock says
@@ -131,6 +132,10 @@ public final class IdentityInstaller {
     write(draft, SecurityFiles.AUTHORITY, bundle.bundle().required(SecurityFiles.AUTHORITY));
     write(draft, SecurityFiles.REVOKED, newest(bundle, former));
     writePolicy(draft, bundle, former);
+    Path latest = folder().resolve(SecurityFiles.LATEST_TIME);
+    if (Files.exists(latest)) { // time goes on, also for another member
+      write(draft, SecurityFiles.LATEST_TIME, Files.readAllBytes(latest));
+    }
     Path jaas = folder().resolve(SecurityFiles.JAAS);
     if (former.isPresent() && Files.exists(jaas)) {
       write(draft, SecurityFiles.JAAS, Files.readAllBytes(jaas));

@@ -12,8 +12,10 @@ import net.jini.jeri.BasicILFactory;
 import net.jini.jeri.InvocationDispatcher;
 import net.jini.jeri.ObjectEndpoint;
 import net.jini.jeri.ServerCapabilities;
+import org.dfra.module.StopsRobot;
 import org.dfra.river.access.GuardedDispatcher;
 import org.dfra.river.filter.SerialLimits;
+import org.dfra.river.transport.StopLane;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -98,12 +100,12 @@ public class DeadlineILFactory extends BasicILFactory {
   @SuppressWarnings({"rawtypes", "unchecked"}) // as River declares it
   protected InvocationDispatcher createInvocationDispatcher(
       Collection methods, Remote impl, ServerCapabilities capabilities) throws ExportException {
+    Collection<Method> called = methods;
+    called.stream()
+        .filter(each -> each.isAnnotationPresent(StopsRobot.class))
+        .forEach(StopLane::add);
     return new GuardedDispatcher(
-        (Collection<Method>) methods,
-        impl.getClass(),
-        capabilities,
-        getServerConstraints(),
-        getClassLoader());
+        called, impl.getClass(), capabilities, getServerConstraints(), getClassLoader());
   }
 
   /**

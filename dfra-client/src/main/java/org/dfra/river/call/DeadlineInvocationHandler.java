@@ -25,6 +25,7 @@ import net.jini.jeri.ObjectEndpoint;
 import net.jini.jeri.OutboundRequest;
 import net.jini.jeri.tcp.TcpEndpoint;
 import net.jini.security.proxytrust.TrustEquivalence;
+import org.dfra.module.StopsRobot;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.filter.SerialLimits;
 import org.dfra.river.transport.AbortableEndpoint;
@@ -145,7 +146,7 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
       AbortableEndpoint endpoint, Object proxy, Method method, Object @Nullable [] args)
       throws Throwable {
     long deadline = deadlineMillis(method);
-    CallInFlight call = new CallInFlight(true);
+    CallInFlight call = CallInFlight.closing(method.isAnnotationPresent(StopsRobot.class));
     CallWatchdog.watch(call, CONNECTED_MILLIS, deadline);
     try {
       return call.<@Nullable Object>runAsCurrent(() -> super.invoke(proxy, method, args));

@@ -9,8 +9,8 @@ import java.security.cert.CertificateFactory;
 import java.security.cert.PKIXParameters;
 import java.security.cert.TrustAnchor;
 import java.security.cert.X509Certificate;
-import java.time.Clock;
 import java.time.Instant;
+import java.time.InstantSource;
 import java.util.Date;
 import java.util.List;
 import java.util.Set;
@@ -38,7 +38,7 @@ final class MemberTrust extends X509ExtendedTrustManager {
   private final String team;
   private final Set<PublicKey> own;
   private final RevokedCertificates revoked;
-  private final Clock clock;
+  private final InstantSource clock;
 
   /**
    * @param authority of the team
@@ -51,7 +51,7 @@ final class MemberTrust extends X509ExtendedTrustManager {
       String team,
       Set<PublicKey> own,
       RevokedCertificates revoked,
-      Clock clock) {
+      InstantSource clock) {
     this.authority = authority;
     this.team = team;
     this.own = Set.copyOf(own);
@@ -89,17 +89,31 @@ final class MemberTrust extends X509ExtendedTrustManager {
     String name = PrintableText.name(leaf.getSubjectX500Principal().getName()); // not believed yet
     Instant from = leaf.getNotBefore().toInstant();
     Instant now = clock.instant();
-    if (now.isBefore(from)) {
-      throw new CertificateException(
-          "the certificate of " + name + " is not valid before " + from + "; it is " + now);
+    boolean isEarly = now.isBefore(from);
+    if (isEarly && !mayLearn()) {
+      throw notBefore(name, from, now);
     }
     Instant until = leaf.getNotAfter().toInstant();
-    checkPath(chain, name, now.isAfter(until) ? until : now);
+    Instant checked = now.isAfter(until) ? until : now;
+    checkPath(chain, name, isEarly ? from : checked);
     checkUsage(leaf, name, usage);
     if (revoked.contains(leaf)) {
       throw new CertificateException("the certificate of " + name + " is revoked");
     }
     checkMember(leaf);
+    if (isEarly && !(clock instanceof FlooredClock known && known.learn(from))) {
+      throw notBefore(name, from, now);
+    }
+  }
+
+  /** Without a clock, a certificate's begin says how late it is at least. */
+  private boolean mayLearn() {
+    return clock instanceof FlooredClock known && !known.isSet();
+  }
+
+  private static CertificateException notBefore(String name, Instant from, Instant now) {
+    return new CertificateException(
+        "the certificate of " + name + " is not valid before " + from + "; it is " + now);
   }
 
   /** An expired certificate is checked as of its last second. */

@@ -44,6 +44,9 @@ public final class SecurityFiles {
   /** The authority's signature over the bytes of {@link #POLICY}, in Base64. */
   public static final String POLICY_SIGNATURE = "policy.sig";
 
+  /** The latest time that the robot's processes know of, as an instant of ISO 8601. */
+  public static final String LATEST_TIME = "latest-time";
+
   /** A JAAS configuration of the user's own; it may be missing. */
   public static final String JAAS = "jaas.conf";
 

@@ -9,7 +9,7 @@ import java.security.PrivateKey;
 import java.security.PublicKey;
 import java.security.cert.CertificateException;
 import java.security.cert.X509Certificate;
-import java.time.Clock;
+import java.time.InstantSource;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -105,10 +105,11 @@ public final class TeamIdentity implements ChannelIdentity {
   /**
    * An identity.
    *
-   * @param clock for the validity of certificates
+   * @param clock for the validity of certificates; a {@link FlooredClock} that is not set learns
+   *     from those of others
    * @throws GeneralSecurityException if this virtual machine cannot use the key with TLS 1.3
    */
-  public TeamIdentity(Settings settings, Clock clock) throws GeneralSecurityException {
+  public TeamIdentity(Settings settings, InstantSource clock) throws GeneralSecurityException {
     this.member = settings.member();
     this.guard = settings.guard();
     this.believesExpired = settings.believesExpired();

@@ -17,6 +17,7 @@ public final class CallInFlight {
   private static final ThreadLocal<@Nullable CallInFlight> CURRENT = new ThreadLocal<>();
 
   private final boolean closesConnection;
+  private final boolean isStop;
 
   @GuardedBy("this")
   private @Nullable OutboundRequest request;
@@ -44,7 +45,27 @@ public final class CallInFlight {
    *     and sends nothing
    */
   public CallInFlight(boolean closesConnection) {
+    this(closesConnection, false);
+  }
+
+  private CallInFlight(boolean closesConnection, boolean isStop) {
     this.closesConnection = closesConnection;
+    this.isStop = isStop;
+  }
+
+  /**
+   * A call that, when abandoned, closes a connection that is still being established.
+   *
+   * @param isStop whether it makes an emergency stop; its server keeps capacity for it
+   */
+  public static CallInFlight closing(boolean isStop) {
+    return new CallInFlight(true, isStop);
+  }
+
+  /** Whether the current thread's call makes an emergency stop. */
+  static boolean isCurrentStop() {
+    @Nullable CallInFlight call = CURRENT.get();
+    return call != null && call.isStop;
   }
 
   /** Makes this the call of the current thread while {@code body} runs. */

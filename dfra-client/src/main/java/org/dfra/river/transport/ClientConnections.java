@@ -323,7 +323,7 @@ final class ClientConnections {
 
   private void greet(Link link, Uuid server) throws IOException {
     ByteBuffer bytes = ByteBuffer.allocate(Greeting.CLIENT_BYTES);
-    Greeting.putClient(bytes, server, key.identity != null);
+    Greeting.putClient(bytes, server, key.identity != null, CallInFlight.isCurrentStop());
     link.write(bytes.flip());
     bytes.clear().limit(Greeting.SERVER_BYTES);
     while (bytes.hasRemaining()) {

@@ -30,6 +30,9 @@ final class ConnectionAcceptor {
   private static final Set<State> IDLE_STATES =
       EnumSet.of(State.IDLE, State.GREETING, State.HANDSHAKE);
 
+  /** Beyond, those that wait are accepted when other connections had their turn. */
+  private static final int ACCEPTED_IN_TURN = 32;
+
   private static final long LOG_AGAIN_NANOS = TimeUnit.SECONDS.toNanos(10);
 
   private final ConnectionSelector selector;
@@ -54,9 +57,11 @@ final class ConnectionAcceptor {
   void accept(SelectionKey key, ServerPort port) {
     try {
       ServerSocketChannel from = (ServerSocketChannel) key.channel();
-      for (@Nullable SocketChannel accepted = from.accept();
-          accepted != null;
-          accepted = from.accept()) {
+      for (int i = 0; i < ACCEPTED_IN_TURN; i++) {
+        @Nullable SocketChannel accepted = from.accept();
+        if (accepted == null) {
+          return;
+        }
         adopt(port, from, accepted);
       }
     } catch (ClosedChannelException | CancelledKeyException e) {
@@ -123,7 +128,7 @@ final class ConnectionAcceptor {
   private void closeLongestIdle(List<ServerConnection> among) {
     long now = System.nanoTime();
     among.stream()
-        .filter(each -> IDLE_STATES.contains(each.state()))
+        .filter(each -> IDLE_STATES.contains(each.state()) && !each.isPreferred(now))
         .max(Comparator.comparingLong(each -> each.nanosInState(now)))
         .ifPresent(
             each -> {

@@ -48,7 +48,9 @@ final class ConnectionSelector {
   private final ConcurrentLinkedQueue<Runnable> tasks = new ConcurrentLinkedQueue<>();
   private final ByteBuffer scratch = ByteBuffer.allocateDirect(Block.BLOCK_BYTES);
 
-  /** Limited by {@link Resource#WORKERS}. */
+  private final StopLane stops = new StopLane();
+
+  /** Limited by {@link Resource#WORKERS} and {@link StopLane}. */
   private final Executor workers = DaemonPool.create("dfra-worker-");
 
   private final Handshakes handshakes = new Handshakes(this);
@@ -91,6 +93,11 @@ final class ConnectionSelector {
   /** What clients may use. For any thread. */
   ConnectionLimits limits() {
     return limits;
+  }
+
+  /** What is kept for stops. For any thread. */
+  StopLane stops() {
+    return stops;
   }
 
   /** Accepts the connections of a port. For any thread. */
@@ -280,6 +287,11 @@ final class ConnectionSelector {
       keep(connection);
       return;
     }
+    long now = System.nanoTime();
+    if (Greeting.isForStop(scratch)
+        && StopLane.hasPlace(connections, connection.link().peer(), now)) {
+      connection.prefer(now);
+    }
     Greeting.Answer answer =
         Greeting.readClient(scratch, connection.port().id(), connection.port().identity() != null);
     if (connection.link().write(Greeting.server(answer)) != Greeting.SERVER_BYTES
@@ -340,9 +352,8 @@ final class ConnectionSelector {
   }
 
   private void serve(SelectionKey key, ServerConnection connection) throws IOException {
-    Peer peer = connection.link().peer();
     boolean isOpen = !connection.port().isClosed();
-    if (!isOpen || !limits.take(Resource.WORKERS, peer, 1)) {
+    if (!isOpen || !connection.takeWorker(scratch)) {
       refuse(connection, isOpen);
       return;
     }
@@ -360,7 +371,7 @@ final class ConnectionSelector {
     } finally {
       if (!done) {
         connection.unassign();
-        limits.giveBack(Resource.WORKERS, peer, 1);
+        connection.giveBackWorker();
       }
     }
     checkSoon();

@@ -7,8 +7,9 @@ import net.jini.id.UuidFactory;
 
 /**
  * The first bytes in each direction. The client's: "DFRA", the version of the format, 1 if TLS
- * follows and 0 if not, two zeros, and the ID of the server that it wants (zero for any). The
- * server's: "DFRA", the version that it speaks, a {@link Answer} and two zeros.
+ * follows and 0 if not, 1 if it is for an emergency stop and 0 if not, a zero, and the ID of the
+ * server that it wants (zero for any). The server's: "DFRA", the version that it speaks, a {@link
+ * Answer} and two zeros.
  *
  * <p>A client sends nothing else before it has the server's greeting. So a request never waits at a
  * server that is suspended and executes it long after the client has given it up.
@@ -28,6 +29,7 @@ final class Greeting {
   static final Uuid ANY_SERVER = UuidFactory.create(0, 0);
 
   private static final int ENCRYPTED = 1 << 16;
+  private static final int FOR_STOP = 1 << 8;
 
   private static final int MAGIC = 'D' << 24 | 'F' << 16 | 'R' << 8 | 'A';
 
@@ -65,10 +67,17 @@ final class Greeting {
    * Writes a client's greeting.
    *
    * @param isEncrypted whether TLS follows
+   * @param isForStop whether the connection is for an emergency stop
    */
-  static void putClient(ByteBuffer to, Uuid server, boolean isEncrypted) {
-    to.putInt(MAGIC).putInt(VERSION << 24 | (isEncrypted ? ENCRYPTED : 0));
+  static void putClient(ByteBuffer to, Uuid server, boolean isEncrypted, boolean isForStop) {
+    to.putInt(MAGIC)
+        .putInt(VERSION << 24 | (isEncrypted ? ENCRYPTED : 0) | (isForStop ? FOR_STOP : 0));
     to.putLong(server.getMostSignificantBits()).putLong(server.getLeastSignificantBits());
+  }
+
+  /** Whether a client's greeting, ready to be read from, is for an emergency stop. */
+  static boolean isForStop(ByteBuffer from) {
+    return (from.getInt(from.position() + Integer.BYTES) & FOR_STOP) != 0;
   }
 
   /**

@@ -13,22 +13,30 @@ import org.jspecify.annotations.Nullable;
  * of the addresses in turn, so that a flood from one address delays another's by one step.
  * Thread-safe.
  *
- * <p>Threads: {@code dfra-handshake-}number, two at most, which end after half a minute without
- * work.
+ * <p>Threads: {@code dfra-handshake-}number, or {@code dfra-stop-handshake-}number for connections
+ * that are for a stop. They end after half a minute without work.
  */
 final class HandshakeQueue {
 
   private static final System.Logger LOG = System.getLogger(HandshakeQueue.class.getName());
 
-  private static final int THREADS = 2;
-
-  private final ThreadPoolExecutor threads = DaemonPool.create("dfra-handshake-");
+  private final ThreadPoolExecutor threads;
+  private final int most;
 
   @GuardedBy("this")
   private final Map<Object, ArrayDeque<Runnable>> waiting = new LinkedHashMap<>(); // by origin
 
   @GuardedBy("this")
   private int running;
+
+  /**
+   * @param name prefix of the threads' names
+   * @param most threads
+   */
+  HandshakeQueue(String name, int most) {
+    this.threads = DaemonPool.create(name);
+    this.most = most;
+  }
 
   /**
    * Takes the next step of a handshake when it is its turn.
@@ -39,7 +47,7 @@ final class HandshakeQueue {
   void add(Object origin, Runnable step) {
     synchronized (this) {
       waiting.computeIfAbsent(origin, unused -> new ArrayDeque<>()).add(step);
-      if (running >= THREADS) {
+      if (running >= most) {
         return;
       }
       running++;

@@ -13,7 +13,8 @@ final class Handshakes {
 
   private static final System.Logger LOG = System.getLogger(Handshakes.class.getName());
 
-  private final HandshakeQueue queue = new HandshakeQueue();
+  private final HandshakeQueue queue = new HandshakeQueue("dfra-handshake-", 2);
+  private final HandshakeQueue stops = new HandshakeQueue("dfra-stop-handshake-", 1);
   private final ConnectionSelector selector;
 
   Handshakes(ConnectionSelector selector) {
@@ -24,7 +25,8 @@ final class Handshakes {
   void proceed(SelectionKey key, ServerConnection connection) {
     key.interestOps(0);
     TlsLink link = (TlsLink) connection.link();
-    queue.add(link.peer().origin(), () -> advance(key, connection, link));
+    HandshakeQueue its = connection.isPreferred(System.nanoTime()) ? stops : queue;
+    its.add(link.peer().origin(), () -> advance(key, connection, link));
   }
 
   private void advance(SelectionKey key, ServerConnection connection, TlsLink link) {

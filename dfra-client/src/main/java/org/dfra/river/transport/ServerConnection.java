@@ -70,6 +70,9 @@ final class ServerConnection implements Runnable {
   private long bytesTaken; // the workers'
   private boolean isReceiver; // whether the worker counts as one
   private boolean mayWait; // whether the worker counts as one that may wait
+  private StopLane.@Nullable Share
+      share; // of what is kept for stops, if it has the worker's thread
+  private volatile long preferredUntil; // 0: it is not; System.nanoTime() otherwise
 
   ServerConnection(ServerPort port, Link link, ConnectionSelector selector) {
     this.port = port;
@@ -96,6 +99,18 @@ final class ServerConnection implements Runnable {
 
   State state() {
     return state;
+  }
+
+  /** Prefers it until its first call: its client has said that it is for a stop. */
+  void prefer(long now) {
+    long until = now + StopLane.FIRST_CALL_NANOS;
+    preferredUntil = until == 0 ? 1 : until;
+  }
+
+  /** Whether it is preferred. */
+  boolean isPreferred(long now) {
+    long until = preferredUntil;
+    return until != 0 && now - until < 0;
   }
 
   /** How long it has been in its state without transfer, in nanoseconds. */
@@ -195,6 +210,7 @@ final class ServerConnection implements Runnable {
    * @return false if its client has too many requests that are not complete
    */
   boolean assign(ByteBuffer received) throws IOException {
+    preferredUntil = 0;
     if (!admit(received)) {
       return false;
     }
@@ -264,12 +280,41 @@ final class ServerConnection implements Runnable {
         mayWait = false;
         limits.giveBack(Resource.WAITING_WORKERS, link.peer(), 1);
       }
-      limits.giveBack(Resource.WORKERS, link.peer(), 1);
+      giveBackWorker();
       if (goesOn) {
         selector.takeBack(this); // the last access: the selector has it now
       } else {
         close();
       }
+    }
+  }
+
+  /**
+   * Takes a thread for a request: one of those that are kept for stops, if there is no other.
+   *
+   * @param received what has arrived of the request, ready to be read from
+   * @return false if there is none
+   */
+  boolean takeWorker(ByteBuffer received) {
+    if (limits.take(Resource.WORKERS, link.peer(), 1)) {
+      return true;
+    }
+    StopLane.@Nullable Share its = StopLane.isStop(received) ? StopLane.Share.of(link) : null;
+    if (its == null || !selector.stops().take(its)) {
+      return false;
+    }
+    share = its;
+    return true;
+  }
+
+  /** Undoes {@link #takeWorker}. */
+  void giveBackWorker() {
+    StopLane.@Nullable Share its = share;
+    if (its == null) {
+      limits.giveBack(Resource.WORKERS, link.peer(), 1);
+    } else {
+      share = null;
+      selector.stops().giveBack(its);
     }
   }
 
@@ -298,6 +343,9 @@ final class ServerConnection implements Runnable {
       return false;
     }
     if (!buffer.hasRemaining()) {
+      if (share != null) {
+        return false; // its thread is for another stop
+      }
       if (!mayWait && !limits.take(Resource.WAITING_WORKERS, link.peer(), 1)) {
         return false;
       }
@@ -321,7 +369,7 @@ final class ServerConnection implements Runnable {
     if (!skipPauses(buffer)) {
       return false;
     }
-    if (port.isClosed() || !admit(buffer)) { // closed since the check above
+    if (port.isClosed() || share != null || !admit(buffer)) { // closed since the check above
       enter(State.CLOSING);
       return refuse(buffer);
     }

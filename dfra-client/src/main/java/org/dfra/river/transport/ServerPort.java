@@ -22,7 +22,7 @@ final class ServerPort {
   private static final System.Logger LOG = System.getLogger(ServerPort.class.getName());
 
   /** Connections that the operating system accepts for a process that is busy. */
-  private static final int BACKLOG = 128;
+  private static final int BACKLOG = 1024;
 
   private final Uuid id;
   private final InetAddress host;

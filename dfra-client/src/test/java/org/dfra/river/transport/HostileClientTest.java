@@ -128,7 +128,7 @@ class HostileClientTest {
 
   private static byte[] greeting() {
     ByteBuffer bytes = ByteBuffer.allocate(Greeting.CLIENT_BYTES);
-    Greeting.putClient(bytes, Greeting.ANY_SERVER, false);
+    Greeting.putClient(bytes, Greeting.ANY_SERVER, false, false);
     return bytes.array();
   }
 

@@ -37,7 +37,7 @@ final class RawTls implements AutoCloseable {
   static RawTls greeted(String source, int port, ChannelIdentity identity) throws IOException {
     RawTls client = new RawTls(source, port, identity.clientEngine(source, port));
     ByteBuffer greeting = ByteBuffer.allocate(Greeting.CLIENT_BYTES);
-    Greeting.putClient(greeting, Greeting.ANY_SERVER, true);
+    Greeting.putClient(greeting, Greeting.ANY_SERVER, true, false);
     client.send(greeting.array());
     byte[] answer = client.in().readNBytes(Greeting.SERVER_BYTES);
     if (answer.length < Greeting.SERVER_BYTES

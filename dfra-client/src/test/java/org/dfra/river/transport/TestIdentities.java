@@ -6,6 +6,7 @@ import java.security.cert.CertificateFactory;
 import java.security.cert.X509CRL;
 import java.security.cert.X509Certificate;
 import java.time.Clock;
+import java.time.InstantSource;
 import java.util.List;
 import java.util.Set;
 import org.dfra.river.fixture.TestTeam;
@@ -52,7 +53,7 @@ final class TestIdentities {
   }
 
   /** An identity with a clock of its own. */
-  TeamIdentity withClock(MemberRole role, String name, Clock clock) {
+  TeamIdentity withClock(MemberRole role, String name, InstantSource clock) {
     Issued issued = authority.issue(new Member("field", role, name));
     return identity(role, name, issued, request -> Decision.permit("all"), clock);
   }
@@ -62,7 +63,7 @@ final class TestIdentities {
   }
 
   private TeamIdentity identity(
-      MemberRole role, String name, Issued issued, Guard guard, Clock clock) {
+      MemberRole role, String name, Issued issued, Guard guard, InstantSource clock) {
     try {
       return new TeamIdentity(
           new TeamIdentity.Settings(

@@ -177,7 +177,7 @@ class TlsCallersTest {
     for (String protocol : List.of("TLSv1.2", "TLSv1.3")) {
       try (Socket plain = new Socket(HOST, server.port())) {
         ByteBuffer greeting = ByteBuffer.allocate(Greeting.CLIENT_BYTES);
-        Greeting.putClient(greeting, Greeting.ANY_SERVER, true);
+        Greeting.putClient(greeting, Greeting.ANY_SERVER, true, false);
         plain.getOutputStream().write(greeting.array());
         assertThat(plain.getInputStream().readNBytes(Greeting.SERVER_BYTES)[5]).isZero();
         SSLSocket socket =

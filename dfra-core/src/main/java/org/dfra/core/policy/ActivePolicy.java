@@ -2,6 +2,7 @@ package org.dfra.core.policy;
 
 import java.lang.reflect.Method;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,6 +27,7 @@ final class ActivePolicy {
 
   private final Policy policy;
   private final Map<PolicyRule, CallRateLimiter> limiters = new IdentityHashMap<>();
+  private final Map<String, List<String>> obligations = new HashMap<>(); // by rule; few have any
   private final ConcurrentHashMap<CallKey, Candidate[]> known = new ConcurrentHashMap<>();
   private final ConcurrentHashMap<CallerKey, Visibility> seen = new ConcurrentHashMap<>();
 
@@ -64,7 +66,7 @@ final class ActivePolicy {
       boolean isImmediate) {}
 
   /** The refusals for unmet obligations. They are made once: a caller may repeat them often. */
-  record UnmetObligations(Decision tooOften, Decision notConfirmed) {}
+  record UnmetObligations(Decision tooOften, Decision notConfirmed, Decision refused) {}
 
   /** What the choice of rules depends on. */
   private record CallKey(
@@ -102,6 +104,10 @@ final class ActivePolicy {
   ActivePolicy(Policy policy, LongSupplier nanos) {
     this.policy = policy;
     for (PolicyRule each : policy.rules()) {
+      List<String> names = each.obligations().names();
+      if (!names.isEmpty()) {
+        obligations.put(each.name(), names);
+      }
       Obligations.@Nullable RateLimit rate = each.obligations().rate();
       if (rate != null) {
         limiters.put(each, new CallRateLimiter(rate, nanos));
@@ -111,6 +117,11 @@ final class ActivePolicy {
 
   Policy policy() {
     return policy;
+  }
+
+  /** What a rule obliges to; empty if to nothing. */
+  List<String> obligations(String rule) {
+    return obligations.getOrDefault(rule, List.of());
   }
 
   /** The rules that may decide about a call, in their order; the last one always does. */
@@ -181,7 +192,9 @@ final class ActivePolicy {
             ? new UnmetObligations(
                 Decision.deny(rule.name(), RefusalReason.ofRate(policy, rule, request)),
                 Decision.deny(
-                    rule.name(), RefusalReason.ofMissingConfirmation(policy, rule, request)))
+                    rule.name(), RefusalReason.ofMissingConfirmation(policy, rule, request)),
+                Decision.deny(
+                    rule.name(), RefusalReason.ofRefusedConfirmation(policy, rule, request)))
             : null;
     return new Candidate(
         rule,

@@ -1,22 +1,23 @@
 package org.dfra.core.policy;
 
 import com.google.errorprone.annotations.concurrent.GuardedBy;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
+import java.util.random.RandomGenerator;
 import org.dfra.security.AccessRequest;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The calls that wait for an operator's confirmation. A call is confirmed for a time, for its
- * caller, its method, its object and the rule. Thread-safe.
+ * The calls that wait for an operator's confirmation. A confirmation is for one call of the same
+ * caller, method, object and rule. Thread-safe.
  *
  * <p>The memory is bounded: at most {@value #MAX_REQUESTS} requests are kept, and {@value
- * #MAX_OF_CALLER} of one caller. Requests that nobody confirms are dropped after {@value
- * #KEPT_SECONDS} s.
+ * #MAX_OF_CALLER} of one caller. Requests that nobody answers are dropped after {@value
+ * #KEPT_SECONDS} s, and so are answers.
  */
 public final class ConfirmationRequests implements Confirmations {
 
@@ -26,66 +27,115 @@ public final class ConfirmationRequests implements Confirmations {
   /** The most requests of one caller. */
   public static final int MAX_OF_CALLER = 4;
 
-  /** How long a request is kept, in seconds. */
+  /** How long a request waits, and how long an answer counts, in seconds. */
   public static final int KEPT_SECONDS = 300;
 
+  /** Without those that are easily confused. */
+  private static final String ID_CHARACTERS = "abcdefghjkmnpqrstuvwxyz23456789";
+
+  private static final int ID_LENGTH = 5;
+  private static final long KEPT_NANOS = TimeUnit.SECONDS.toNanos(KEPT_SECONDS);
+
   private final LongSupplier nanos;
+  private final RandomGenerator random;
+  private final Runnable onRequest;
 
   @GuardedBy("this")
   private final Map<CallKey, Entry> entries = new LinkedHashMap<>();
 
-  @GuardedBy("this")
-  private long lastNumber;
-
   /** The calls that one confirmation is about. */
   private record CallKey(
-      String principal, String rule, String robot, String object, String method) {}
+      String principal, String rule, String robot, String object, String method) {
+
+    static CallKey of(AccessRequest request, PolicyRule rule) {
+      return new CallKey(
+          CallRateLimiter.principal(request),
+          rule.name(),
+          request.robot(),
+          request.object(),
+          request.methodName());
+    }
+  }
 
   private static final class Entry {
-    final long number;
-    final AccessRequest request;
-    long end; // of the wait, or of the confirmation
-    boolean isConfirmed;
+    final PendingConfirmation request;
+    Answer answer = Answer.NONE;
+    long end; // of the wait, or of the answer
 
-    Entry(long number, AccessRequest request, long end) {
-      this.number = number;
+    Entry(PendingConfirmation request) {
       this.request = request;
-      this.end = end;
+      this.end = request.end();
     }
   }
 
   /**
    * A request that waits.
    *
-   * @param number by which an operator confirms it
+   * @param id by which an operator answers it: random characters, so that it never means another
+   *     one
+   * @param rule name of the rule that obliges to it
+   * @param end when it is dropped, by the monotonic clock, in nanoseconds
    */
-  public record PendingConfirmation(long number, AccessRequest request) {}
+  public record PendingConfirmation(String id, AccessRequest request, String rule, long end) {}
 
   /**
    * @param nanos a monotonic clock in nanoseconds
+   * @param random for the IDs of requests
+   * @param onRequest called after each repeated or new request that waits, on the thread of the
+   *     call; it returns at once
    */
-  public ConfirmationRequests(LongSupplier nanos) {
+  public ConfirmationRequests(LongSupplier nanos, RandomGenerator random, Runnable onRequest) {
     this.nanos = nanos;
+    this.random = random;
+    this.onRequest = onRequest;
   }
 
   @Override
-  public synchronized boolean isConfirmed(AccessRequest request, PolicyRule rule) {
+  public Answer ask(AccessRequest request, PolicyRule rule) {
+    Answer answer = answered(request, rule);
+    if (answer == Answer.NONE) {
+      onRequest.run();
+    }
+    return answer;
+  }
+
+  private synchronized Answer answered(AccessRequest request, PolicyRule rule) {
     dropEnded();
-    String principal = CallRateLimiter.principal(request);
-    CallKey key =
-        new CallKey(
-            principal, rule.name(), request.robot(), request.object(), request.methodName());
+    CallKey key = CallKey.of(request, rule);
     @Nullable Entry known = entries.get(key);
     if (known != null) {
-      return known.isConfirmed;
+      return known.answer;
     }
     long ofCaller =
-        entries.keySet().stream().filter(each -> each.principal().equals(principal)).count();
+        entries.keySet().stream().filter(each -> each.principal().equals(key.principal())).count();
     if (entries.size() < MAX_REQUESTS && ofCaller < MAX_OF_CALLER) {
-      long end = nanos.getAsLong() + Duration.ofSeconds(KEPT_SECONDS).toNanos();
-      entries.put(key, new Entry(++lastNumber, request, end));
+      entries.put(
+          key,
+          new Entry(
+              new PendingConfirmation(
+                  newId(), request, rule.name(), nanos.getAsLong() + KEPT_NANOS)));
     }
-    return false;
+    return Answer.NONE;
+  }
+
+  private String newId() {
+    StringBuilder id = new StringBuilder();
+    for (int i = 0; i < ID_LENGTH; i++) {
+      id.append(ID_CHARACTERS.charAt(random.nextInt(ID_CHARACTERS.length())));
+    }
+    return id.toString();
+  }
+
+  @Override
+  public synchronized boolean use(AccessRequest request, PolicyRule rule) {
+    dropEnded();
+    CallKey key = CallKey.of(request, rule);
+    @Nullable Entry known = entries.get(key);
+    if (known == null || known.answer != Answer.CONFIRMED) {
+      return false;
+    }
+    entries.remove(key);
+    return true;
   }
 
   @GuardedBy("this")
@@ -99,23 +149,23 @@ public final class ConfirmationRequests implements Confirmations {
     dropEnded();
     List<PendingConfirmation> pending = new ArrayList<>();
     entries.values().stream()
-        .filter(each -> !each.isConfirmed)
-        .forEach(each -> pending.add(new PendingConfirmation(each.number, each.request)));
+        .filter(each -> each.answer == Answer.NONE)
+        .forEach(each -> pending.add(each.request));
     return pending;
   }
 
   /**
-   * Confirms a request: such calls are permitted from now on.
+   * Answers a request: the next such call is permitted once, or such calls are refused, for {@value
+   * #KEPT_SECONDS} s.
    *
-   * @param duration for how long
    * @return false if there is no such request any more
    */
-  public synchronized boolean confirm(long number, Duration duration) {
+  public synchronized boolean answer(String id, boolean isConfirmed) {
     dropEnded();
     for (Entry each : entries.values()) {
-      if (each.number == number && !each.isConfirmed) {
-        each.isConfirmed = true;
-        each.end = nanos.getAsLong() + duration.toNanos();
+      if (each.request.id().equals(id) && each.answer == Answer.NONE) {
+        each.answer = isConfirmed ? Answer.CONFIRMED : Answer.REFUSED;
+        each.end = nanos.getAsLong() + KEPT_NANOS;
         return true;
       }
     }

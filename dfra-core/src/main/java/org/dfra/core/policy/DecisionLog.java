@@ -40,9 +40,13 @@ public final class DecisionLog implements DecisionListener {
   }
 
   @Override
+  public boolean concerns(Obligations obligations) {
+    return obligations.isLogged() || obligations.isNotified();
+  }
+
+  @Override
   public void onDecision(DecisionRecord decision) {
-    Obligations obligations = decision.obligations();
-    if (!obligations.isLogged() && !obligations.isNotified()) {
+    if (!concerns(decision.obligations())) {
       return;
     }
     long before = countLine();
@@ -53,7 +57,7 @@ public final class DecisionLog implements DecisionListener {
       LOG.warn("{} decisions of the policy were not logged, since they were too many.", before);
     }
     String sentence = sentence(decision);
-    if (obligations.isNotified()) {
+    if (decision.obligations().isNotified()) {
       LOG.warn(sentence);
     } else {
       LOG.info(sentence);

@@ -64,6 +64,24 @@ public record Obligations(
     return rate != null || isConfirmed;
   }
 
+  /** The names of their elements in a policy, such as {@code log}; empty if there are none. */
+  List<String> names() {
+    List<String> names = new ArrayList<>();
+    if (isConfirmed) {
+      names.add("ask");
+    }
+    if (rate != null) {
+      names.add("rate");
+    }
+    if (isLogged) {
+      names.add("log");
+    }
+    if (isNotified) {
+      names.add("notify");
+    }
+    return List.copyOf(names);
+  }
+
   /** The obligations in words; empty if there are none. */
   public List<String> inWords() {
     List<String> words = new ArrayList<>();

@@ -36,6 +36,11 @@ public record Policy(
     visibility = List.copyOf(visibility);
   }
 
+  /** Whether one of its rules has a condition about the robot's position. */
+  public boolean needsPosition() {
+    return rules.stream().anyMatch(PolicyRule::needsPosition);
+  }
+
   /** Which policy it is. */
   PolicyIdentity identity() {
     return new PolicyIdentity(team, version, digest);

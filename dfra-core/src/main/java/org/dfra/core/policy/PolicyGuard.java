@@ -1,6 +1,7 @@
 package org.dfra.core.policy;
 
 import java.time.InstantSource;
+import java.util.List;
 import java.util.function.LongSupplier;
 import org.dfra.core.policy.ActivePolicy.Candidate;
 import org.dfra.security.AccessRequest;
@@ -90,21 +91,34 @@ public final class PolicyGuard implements Guard {
     if (unmet == null) {
       return candidate.decision();
     }
-    if (rule.obligations().isConfirmed() && !confirmations.isConfirmed(request, rule)) {
-      return unmet.notConfirmed();
+    boolean needsConfirmation = rule.obligations().isConfirmed();
+    Confirmations.Answer answer =
+        needsConfirmation ? confirmations.ask(request, rule) : Confirmations.Answer.CONFIRMED;
+    if (answer != Confirmations.Answer.CONFIRMED) {
+      return answer == Confirmations.Answer.NONE ? unmet.notConfirmed() : unmet.refused();
     }
     @Nullable CallRateLimiter limiter = candidate.limiter();
-    return limiter == null || limiter.tryCall(request) ? candidate.decision() : unmet.tooOften();
+    if (limiter != null && !limiter.tryCall(request)) {
+      return unmet.tooOften(); // which uses no confirmation
+    }
+    return !needsConfirmation || confirmations.use(request, rule)
+        ? candidate.decision()
+        : unmet.notConfirmed();
   }
 
   private Decision observed(
       ActivePolicy now, AccessRequest request, Candidate candidate, Decision decision) {
-    if (listener != null) {
+    if (listener != null && listener.concerns(candidate.obligations())) {
       listener.onDecision(
           new DecisionRecord(
               clock.instant(), request, decision, now.policy().version(), candidate.obligations()));
     }
     return decision;
+  }
+
+  /** What the rule of a decision obliges to, such as {@code log}; empty if to nothing. */
+  public List<String> obligations(Decision decision) {
+    return active.obligations(decision.rule());
   }
 
   /** The request, with a stranger in place of a member of another team. */

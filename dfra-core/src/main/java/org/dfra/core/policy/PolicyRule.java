@@ -71,6 +71,11 @@ public final class PolicyRule {
     return !conditions.isEmpty();
   }
 
+  /** Whether a condition is about the robot's position. */
+  boolean needsPosition() {
+    return conditions.stream().anyMatch(PolicyCondition.Within.class::isInstance);
+  }
+
   /** Its conditions, each as the rest of a sentence that begins with "only". */
   public List<String> conditions() {
     return conditions.stream().map(PolicyCondition::text).toList();

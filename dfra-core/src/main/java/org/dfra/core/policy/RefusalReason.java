@@ -46,7 +46,20 @@ final class RefusalReason {
     return rule(rule, policy)
         + " permits "
         + call(request)
-        + " only when an operator has confirmed it; ask one, and call again";
+        + " only when an operator has confirmed it; ask an operator to type \"policy requests\" and"
+        + " \"policy confirm\", and call again within "
+        + ConfirmationRequests.KEPT_SECONDS
+        + " s of that";
+  }
+
+  static String ofRefusedConfirmation(Policy policy, PolicyRule rule, AccessRequest request) {
+    return rule(rule, policy)
+        + " permits "
+        + call(request)
+        + " only when an operator has confirmed it, and one has refused it; it can be asked for"
+        + " again "
+        + ConfirmationRequests.KEPT_SECONDS
+        + " s after that";
   }
 
   private static String rule(PolicyRule rule, Policy policy) {

@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import org.dfra.core.policy.ConfirmationRequests.PendingConfirmation;
 import org.dfra.core.policy.Obligations.RateLimit;
@@ -29,7 +30,9 @@ class ObligationsTest {
       "<permit name=\"slow\" standing=\"member,stranger\"><rate max=\"5\" per=\"1s\"/></permit>";
 
   private final AtomicLong nanos = new AtomicLong(Long.MAX_VALUE - 1000); // it will overflow
-  private final ConfirmationRequests requests = new ConfirmationRequests(nanos::get);
+  private final AtomicInteger asked = new AtomicInteger();
+  private final ConfirmationRequests requests =
+      new ConfirmationRequests(nanos::get, new Random(2026), asked::incrementAndGet);
   private final List<DecisionRecord> observed = new ArrayList<>();
 
   private PolicyGuard guard(String... lines) {
@@ -109,16 +112,66 @@ class ObligationsTest {
     List<PendingConfirmation> pending = requests.pending();
     assertThat(pending).hasSize(1);
     assertThat(pending.get(0).request().caller()).isEqualTo(ANNA);
-    assertThat(requests.confirm(pending.get(0).number(), Duration.ofSeconds(60))).isTrue();
-    assertThat(guard.decide(call(ANNA, "execute")).isPermitted()).isTrue();
+    assertThat(asked).as("somebody is to show it to operators").hasValue(1);
+    assertThat(requests.answer(pending.get(0).id(), true)).isTrue();
+    assertThat(requests.pending()).isEmpty();
     assertThat(guard.decide(call(ANNA, "readiness")).isPermitted()).as("another call").isFalse();
     assertThat(guard.decide(call(BOB, "execute")).isPermitted()).as("another caller").isFalse();
+    assertThat(guard.decide(call(ANNA, "execute")).isPermitted()).isTrue();
+    assertThat(guard.decide(call(ANNA, "execute")).isPermitted()).as("a second time").isFalse();
+    assertThat(requests.answer(pending.get(0).id(), true)).as("the old request").isFalse();
+  }
 
-    pass(60_000);
-    assertThat(guard.decide(call(ANNA, "execute")).isPermitted()).as("after 60 s").isFalse();
-    assertThat(requests.confirm(pending.get(0).number(), Duration.ofSeconds(60)))
-        .as("the old request")
-        .isFalse();
+  private String requestOf(String method) {
+    return requests.pending().stream()
+        .filter(each -> each.request().methodName().endsWith("." + method))
+        .findFirst()
+        .orElseThrow()
+        .id();
+  }
+
+  @Test
+  void aConfirmationThatIsNotUsedEnds() {
+    PolicyGuard guard = guard("<permit name=\"ask-first\"><ask/></permit>");
+    guard.decide(call(ANNA, "execute"));
+    assertThat(requests.answer(requestOf("execute"), true)).isTrue();
+    pass(1000L * ConfirmationRequests.KEPT_SECONDS);
+    assertThat(guard.decide(call(ANNA, "execute")).isPermitted()).isFalse();
+  }
+
+  @Test
+  void whatAnOperatorHasRefusedIsNotAskedForAgainForAWhile() {
+    PolicyGuard guard = guard("<permit name=\"ask-first\"><ask/></permit>");
+    guard.decide(call(ANNA, "execute"));
+    assertThat(requests.answer(requestOf("execute"), false)).isTrue();
+    Decision refused = guard.decide(call(ANNA, "execute"));
+    assertThat(refused.isPermitted()).isFalse();
+    assertThat(refused.reason()).contains("one has refused it");
+    assertThat(requests.pending()).isEmpty();
+    pass(1000L * ConfirmationRequests.KEPT_SECONDS);
+    guard.decide(call(ANNA, "execute"));
+    assertThat(requests.pending()).hasSize(1);
+  }
+
+  @Test
+  void aCallThatIsMadeTooOftenUsesNoConfirmation() {
+    PolicyGuard guard = guard("<permit name=\"both\"><ask/><rate max=\"1\" per=\"10s\"/></permit>");
+    guard.decide(call(ANNA, "execute"));
+    assertThat(requests.answer(requestOf("execute"), true)).isTrue();
+    assertThat(guard.decide(call(ANNA, "execute")).isPermitted()).isTrue();
+    guard.decide(call(ANNA, "execute"));
+    assertThat(requests.answer(requestOf("execute"), true)).isTrue();
+    assertThat(guard.decide(call(ANNA, "execute")).reason()).contains("call less often");
+    pass(10_000);
+    assertThat(guard.decide(call(ANNA, "execute")).isPermitted()).isTrue();
+  }
+
+  @Test
+  void theGuardSaysWhatADecisionObligesTo() {
+    PolicyGuard guard = guard("<permit name=\"noted\" role=\"operator\"><log/><notify/></permit>");
+    assertThat(guard.obligations(guard.decide(call(ANNA, "execute"))))
+        .containsExactly("log", "notify");
+    assertThat(guard.obligations(guard.decide(call(STRANGER, "execute")))).isEmpty();
   }
 
   @Test

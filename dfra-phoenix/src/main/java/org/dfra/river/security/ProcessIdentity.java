@@ -20,13 +20,17 @@ import org.dfra.core.audit.KeptHead;
 import org.dfra.core.budget.BudgetGuard;
 import org.dfra.core.budget.Budgets;
 import org.dfra.core.policy.BuiltInPolicies;
+import org.dfra.core.policy.Confirmations;
+import org.dfra.core.policy.DecisionLog;
 import org.dfra.core.policy.InterfaceCatalogue;
 import org.dfra.core.policy.MethodKind;
 import org.dfra.core.policy.MethodKinds;
 import org.dfra.core.policy.Policy;
+import org.dfra.core.policy.PolicyFacts;
 import org.dfra.core.policy.PolicyGuard;
 import org.dfra.core.policy.PolicySignatureException;
 import org.dfra.core.policy.PolicyStore;
+import org.dfra.river.identity.FlooredClock;
 import org.dfra.river.identity.RevokedCertificates;
 import org.dfra.river.identity.RobotAlone;
 import org.dfra.river.identity.TeamCredentials;
@@ -34,6 +38,7 @@ import org.dfra.river.identity.TeamCredentials.RobotKey;
 import org.dfra.river.identity.TeamIdentity;
 import org.dfra.river.security.budget.UnlimitedCalls;
 import org.dfra.river.security.news.TeamNews;
+import org.dfra.river.security.robot.RobotState;
 import org.dfra.security.AccessRequest;
 import org.dfra.security.CallUse;
 import org.dfra.security.Caller;
@@ -84,6 +89,7 @@ final class ProcessIdentity {
    * @param folder with its policy
    * @param mode secure, or closed if others no longer believe the certificate
    * @param believesExpired whether servers with an expired certificate are called
+   * @param robot facts and confirmations for its policy; null if it is a person
    * @throws IOException if the policy cannot be read, or the authority has not signed it
    * @throws GeneralSecurityException if the list of revoked certificates or the key cannot be used
    */
@@ -92,7 +98,8 @@ final class ProcessIdentity {
       Path folder,
       SecurityMode mode,
       boolean believesExpired,
-      Clock clock)
+      FlooredClock clock,
+      @Nullable RobotState robot)
       throws IOException, GeneralSecurityException {
     String team = credentials.member().team();
     Optional<Policy> stored = stored(folder, credentials.authority());
@@ -107,7 +114,14 @@ final class ProcessIdentity {
     }
     Set<PublicKey> otherOwn =
         credentials.robotKey().map(it -> Set.of(it.certificate().getPublicKey())).orElse(Set.of());
-    PolicyGuard guard = new PolicyGuard(policy);
+    PolicyGuard guard =
+        new PolicyGuard(
+            policy,
+            robot == null ? PolicyFacts.none() : robot.facts(),
+            robot == null ? Confirmations.none() : robot.confirmations(),
+            new DecisionLog(System::nanoTime),
+            clock,
+            System::nanoTime);
     BudgetGuard budgets = budgets(guard, credentials.member());
     ReplaceableGuard asked = new ReplaceableGuard(budgets);
     TeamIdentity identity =
@@ -216,7 +230,8 @@ final class ProcessIdentity {
         new AuditedGuard(
             budgets,
             trail,
-            method -> MethodKinds.of(method.getDeclaringClass(), method).kind() == MethodKind.READ);
+            method -> MethodKinds.of(method.getDeclaringClass(), method).kind() == MethodKind.READ,
+            policy::obligations);
   }
 
   /** Whether there is an audit trail whose end can be signed. */

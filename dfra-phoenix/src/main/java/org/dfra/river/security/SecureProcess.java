@@ -3,9 +3,9 @@ package org.dfra.river.security;
 import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.rmi.server.ExportException;
 import java.security.GeneralSecurityException;
 import java.time.Clock;
-import java.time.Instant;
 import java.time.InstantSource;
 import java.util.Objects;
 import java.util.Optional;
@@ -13,8 +13,10 @@ import org.dfra.core.audit.AuditEvent;
 import org.dfra.core.audit.AuditKind.SecurityMode;
 import org.dfra.core.audit.AuditSettings;
 import org.dfra.core.audit.AuditTrail;
+import org.dfra.module.Module;
 import org.dfra.river.identity.ChannelIdentity;
 import org.dfra.river.identity.CurrentIdentity;
+import org.dfra.river.identity.FlooredClock;
 import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.IdentityFolder;
 import org.dfra.river.identity.SecurityFiles;
@@ -22,6 +24,9 @@ import org.dfra.river.identity.TeamCredentials;
 import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.security.budget.ProcessBudgets;
 import org.dfra.river.security.news.NewsExchange;
+import org.dfra.river.security.robot.PolicyControls;
+import org.dfra.river.security.robot.RobotState;
+import org.dfra.security.MemberRole;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -59,7 +64,12 @@ public final class SecureProcess {
   @GuardedBy("SecureProcess.class")
   private static @Nullable ProcessIdentity identity;
 
+  @GuardedBy("SecureProcess.class")
+  private static @Nullable KnownTime time;
+
   private static volatile @Nullable NewsExchange news;
+  private static volatile @Nullable RobotState robot;
+  private static volatile @Nullable PolicyControls control;
 
   private static volatile @Nullable ProcessBudgets budgets;
 
@@ -118,31 +128,92 @@ public final class SecureProcess {
     ProcessIdentity made;
     SecurityMode mode;
     String fault;
+    @Nullable KnownTime known = null;
+    @Nullable RobotState shared = null;
     try {
       TeamCredentials credentials = IdentityFolder.load(folder);
-      fault = fault(credentials);
+      boolean isLasting = System.getProperty(PROPERTY) != null; // no command
+      known = KnownTime.of(folder, credentials, InstantSource.system(), isLasting);
+      fault = fault(credentials, known.clock());
       mode = fault.isEmpty() ? SecurityMode.SECURE : SecurityMode.CLOSED;
-      made = ProcessIdentity.of(credentials, folder, mode, believesExpired, Clock.systemUTC());
+      if (mode == SecurityMode.SECURE && credentials.member().role() == MemberRole.ROBOT) {
+        shared = new RobotState(state(folder), known.clock(), SecureProcess::lookSoon);
+      }
+      made = ProcessIdentity.of(credentials, folder, mode, believesExpired, known.clock(), shared);
     } catch (IdentityException | IOException | GeneralSecurityException e) {
       mode = SecurityMode.CLOSED;
       fault = Objects.toString(e.getMessage(), e.toString());
       made = closed(folder, fault);
+      shared = null;
     }
     identity = made;
+    time = known;
     CurrentIdentity.setForProcess(made.identity());
     ProcessBudgets limits = null;
     if (!made.identity().robot().isEmpty()) {
-      Path state = Objects.requireNonNull(folder.toAbsolutePath().getParent());
-      limits = new ProcessBudgets(made.budgets(), state);
+      limits = new ProcessBudgets(made.budgets(), state(folder));
       limits.policyChanged();
       budgets = limits;
     }
-    watch = SecurityWatch.start(folder, made, limits);
+    watch = SecurityWatch.start(folder, made, new SecurityWatch.Parts(known, shared, limits));
     if (mode == SecurityMode.SECURE) {
       news = new NewsExchange(folder, made.authority(), made.identity(), made::numbers);
-      TrustedCode.trustTeam(new TeamCode(made.authority(), made.revoked(), Clock.systemUTC()));
+      TrustedCode.trustTeam(
+          new TeamCode(made.authority(), made.revoked(), Objects.requireNonNull(known).clock()));
+    }
+    if (shared != null) {
+      robot = shared;
+      control = new PolicyControls(shared);
     }
     return new Installed(mode, made.identity().member().toString(), made.identity().robot(), fault);
+  }
+
+  /** Has a request for confirmation shown to operators. */
+  private static void lookSoon() {
+    @Nullable SecurityWatch watching = watch;
+    if (watching != null) {
+      watching.wake();
+    }
+  }
+
+  /**
+   * Why this computer's clock does not count, in a sentence with the remedy; empty if it does, or
+   * if this process is open.
+   */
+  public static synchronized Optional<String> clockFault() {
+    return Optional.ofNullable(time).flatMap(KnownTime::fault);
+  }
+
+  /**
+   * Exports what other members call in each process of a member, at the port of everything else
+   * that it exports at a host. Does nothing the second time, and nothing if this process is open.
+   *
+   * @param host address of this computer, as in its proxies
+   */
+  public static void export(String host) throws ExportException {
+    @Nullable NewsExchange exchanged = news;
+    if (exchanged != null) {
+      exchanged.export(host);
+    }
+    @Nullable PolicyControls controlled = control;
+    if (controlled != null) {
+      controlled.export(host);
+    }
+    @Nullable ProcessBudgets limits = budgets;
+    if (limits != null) {
+      limits.export(host);
+    }
+  }
+
+  /**
+   * Takes the robot's position from a module of this process, if it knows it and this process is a
+   * secure robot's.
+   *
+   * @return ends that
+   */
+  public static AutoCloseable offerPosition(Module module) {
+    @Nullable RobotState own = robot;
+    return own == null ? () -> {} : own.offerPosition(module);
   }
 
   /**
@@ -156,8 +227,9 @@ public final class SecureProcess {
    */
   public static ChannelIdentity other(Path folder)
       throws IdentityException, IOException, GeneralSecurityException {
-    return ProcessIdentity.of(
-            IdentityFolder.load(folder), folder, SecurityMode.SECURE, false, Clock.systemUTC())
+    TeamCredentials credentials = IdentityFolder.load(folder);
+    FlooredClock clock = KnownTime.of(folder, credentials, InstantSource.system(), false).clock();
+    return ProcessIdentity.of(credentials, folder, SecurityMode.SECURE, false, clock, null)
         .identity();
   }
 
@@ -183,13 +255,13 @@ public final class SecureProcess {
   }
 
   /** Why nobody else would believe this member; empty if they do. */
-  private static String fault(TeamCredentials credentials) {
+  private static String fault(TeamCredentials credentials, InstantSource clock) {
     if (credentials.isRevoked()) {
       return "the certificate of "
           + credentials.member()
           + " is revoked; ask the team's authority for a new one";
     }
-    return credentials.validityFault(Instant.now()).orElse("");
+    return credentials.validityFault(clock.instant()).orElse("");
   }
 
   /**
@@ -204,11 +276,12 @@ public final class SecureProcess {
     if (own == null || folder == null) {
       return;
     }
-    Path state = Objects.requireNonNull(Path.of(folder).toAbsolutePath().getParent());
     AuditTrail trail =
         new AuditTrail(
             AuditSettings.of(
-                AuditSettings.folder(state), stream, own.identity().member().toString()),
+                AuditSettings.folder(state(Path.of(folder))),
+                stream,
+                own.identity().member().toString()),
             InstantSource.system());
     try {
       trail.start();
@@ -219,6 +292,10 @@ public final class SecureProcess {
     Runtime.getRuntime().addShutdownHook(new Thread(trail::close, "audit-end"));
     own.audit(trail);
     trail.record(AuditEvent.processStarted(current().mode(), current().fault()));
+  }
+
+  private static Path state(Path folder) {
+    return Objects.requireNonNull(folder.toAbsolutePath().getParent());
   }
 
   /** The robot's own key has no dates, and a file of its own. */

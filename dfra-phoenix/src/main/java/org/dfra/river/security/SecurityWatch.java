@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
+import java.security.cert.X509CRL;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
@@ -19,6 +20,7 @@ import org.dfra.river.identity.SecurityFiles;
 import org.dfra.river.identity.SignedFiles;
 import org.dfra.river.security.budget.ProcessBudgets;
 import org.dfra.river.security.news.NewsExchange;
+import org.dfra.river.security.robot.RobotState;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -29,7 +31,8 @@ import org.slf4j.LoggerFactory;
  * audit trail signed in each period.
  *
  * <p>Thread: one daemon, {@code dfra-security}, for the life of the process. It looks at the times
- * of two files twice a second, since a folder that is replaced as a whole cannot be watched.
+ * of two files twice a second, since a folder that is replaced as a whole cannot be watched, and at
+ * what the robot's processes share for decisions by the policy.
  */
 final class SecurityWatch implements Runnable {
 
@@ -37,11 +40,15 @@ final class SecurityWatch implements Runnable {
 
   private static final long PERIOD_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
 
+  /** While an operator may answer a request at any moment. */
+  private static final long ANSWER_PERIOD_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
+
   private final Path policyFile;
   private final Path revokedFile;
   private final Path folder;
   private final ProcessIdentity identity;
-  private final @Nullable ProcessBudgets budgets;
+  private final Parts parts;
+  private final Thread thread;
 
   @GuardedBy("this")
   private List<Object> policyState;
@@ -55,9 +62,22 @@ final class SecurityWatch implements Runnable {
   @GuardedBy("this")
   private long signed; // by System.nanoTime
 
-  private SecurityWatch(Path folder, ProcessIdentity identity, @Nullable ProcessBudgets budgets) {
-    this.budgets = budgets;
+  /**
+   * What else it tends.
+   *
+   * @param time null if the identity cannot be used
+   * @param robot what a robot's processes share for decisions by the policy; null if this is no
+   *     process of a secure robot
+   * @param budgets of the process; null if it is no robot's
+   */
+  record Parts(
+      @Nullable KnownTime time, @Nullable RobotState robot, @Nullable ProcessBudgets budgets) {}
+
+  private SecurityWatch(Path folder, ProcessIdentity identity, Parts parts) {
+    this.parts = parts;
     this.folder = folder;
+    this.thread = new Thread(this, "dfra-security");
+    thread.setDaemon(true);
     this.policyFile = folder.resolve(SecurityFiles.POLICY);
     this.revokedFile = folder.resolve(SecurityFiles.REVOKED);
     this.identity = identity;
@@ -65,17 +85,10 @@ final class SecurityWatch implements Runnable {
     this.revokedState = state(revokedFile);
   }
 
-  /**
-   * Starts to watch what has just been loaded.
-   *
-   * @param budgets of the process, null if it has none
-   */
-  static SecurityWatch start(
-      Path folder, ProcessIdentity identity, @Nullable ProcessBudgets budgets) {
-    SecurityWatch watch = new SecurityWatch(folder, identity, budgets);
-    Thread thread = new Thread(watch, "dfra-security");
-    thread.setDaemon(true);
-    thread.start();
+  /** Starts to watch what has just been loaded. */
+  static SecurityWatch start(Path folder, ProcessIdentity identity, Parts parts) {
+    SecurityWatch watch = new SecurityWatch(folder, identity, parts);
+    watch.thread.start();
     return watch;
   }
 
@@ -94,19 +107,36 @@ final class SecurityWatch implements Runnable {
   @Override
   public void run() {
     while (true) {
-      LockSupport.parkNanos(this, PERIOD_NANOS);
-      look();
+      boolean isAnswerAwaited = lookAtAll();
+      LockSupport.parkNanos(this, isAnswerAwaited ? ANSWER_PERIOD_NANOS : PERIOD_NANOS);
     }
   }
 
+  /** Has it look soon. Returns at once. */
+  void wake() {
+    LockSupport.unpark(thread);
+  }
+
   /** Looks now. */
-  synchronized void look() {
+  void look() {
+    boolean unused = lookAtAll();
+  }
+
+  /** Returns whether an operator may answer a request at any moment. */
+  private synchronized boolean lookAtAll() {
     try {
       lookAtRevoked();
       lookAtPolicy();
       signHeadIfDue();
+      @Nullable KnownTime time = parts.time();
+      if (time != null) {
+        time.keep();
+      }
+      @Nullable RobotState robot = parts.robot();
+      return robot != null && robot.look(identity.policy().policy().needsPosition());
     } catch (RuntimeException e) { // the next change counts all the same
       LOG.error("A change of {} was not noticed.", folder, e);
+      return false;
     }
   }
 
@@ -133,15 +163,14 @@ final class SecurityWatch implements Runnable {
     }
     revokedState = now;
     try {
-      boolean isNewer =
-          identity
-              .revoked()
-              .replace(
-                  SignedFiles.revocations(
-                      SecurityFiles.read(revokedFile),
-                      identity.authority(),
-                      revokedFile.toString()));
-      if (isNewer) {
+      X509CRL list =
+          SignedFiles.revocations(
+              SecurityFiles.read(revokedFile), identity.authority(), revokedFile.toString());
+      if (identity.revoked().replace(list)) {
+        @Nullable KnownTime time = parts.time();
+        if (time != null) {
+          time.learn(list);
+        }
         long number = identity.revoked().number().longValue();
         LOG.info("The list {} of revoked certificates is in force.", number);
         identity.record(AuditEvent.revocationReceived(number, revokedFile.toString(), ""));
@@ -162,6 +191,7 @@ final class SecurityWatch implements Runnable {
       Optional<Policy> next = ProcessIdentity.stored(folder, identity.authority());
       if (next.isPresent() && identity.policy().replace(next.get())) {
         LOG.info("{} is in force.", next.get());
+        @Nullable ProcessBudgets budgets = parts.budgets();
         if (budgets != null) {
           budgets.policyChanged();
         }

@@ -1,7 +1,7 @@
 package org.dfra.river.security;
 
 import java.security.cert.X509Certificate;
-import java.time.Clock;
+import java.time.InstantSource;
 import java.util.Date;
 import java.util.List;
 import java.util.Optional;
@@ -16,7 +16,7 @@ import org.dfra.river.loading.TeamSigners;
  * @param authority certificate of the authority
  * @param revoked its list
  */
-record TeamCode(X509Certificate authority, RevokedCertificates revoked, Clock clock)
+record TeamCode(X509Certificate authority, RevokedCertificates revoked, InstantSource clock)
     implements TeamSigners {
 
   @Override

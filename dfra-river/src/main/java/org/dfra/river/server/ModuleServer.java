@@ -4,14 +4,12 @@ import java.rmi.MarshalledObject;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationID;
-import java.rmi.server.ExportException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.Objects;
-import java.util.Optional;
 import java.util.UUID;
 import net.jini.config.Configuration;
 import net.jini.core.lease.Lease;
@@ -44,8 +42,6 @@ import org.dfra.river.proxy.ModuleProxy;
 import org.dfra.river.remote.GrantedModuleLease;
 import org.dfra.river.remote.RemoteModule;
 import org.dfra.river.security.SecureProcess;
-import org.dfra.river.security.budget.ProcessBudgets;
-import org.dfra.river.security.news.NewsExchange;
 import org.dfra.river.server.Exporters.ServerSettings;
 import org.jspecify.annotations.Nullable;
 
@@ -174,6 +170,7 @@ public abstract class ModuleServer<M extends Module>
       driver.start();
       LocalModuleRegistry.register(id(), driver);
       onUndo(() -> LocalModuleRegistry.unregister(id(), driver));
+      onUndo(SecureProcess.offerPosition(driver));
 
       // Step 4: the proxy, and before it the landlord, since clients may call immediately.
       landlord.start();
@@ -181,7 +178,7 @@ public abstract class ModuleServer<M extends Module>
       onUndo(beforeExport());
       Remote exported = exporter.export(this);
       remote = exported;
-      exportSecurity();
+      SecureProcess.export(activation.host());
       onUndo(() -> exporter.unexport(true));
       ModuleProxy<?> proxy =
           parts.proxy(kind, (RemoteModule) exported, id(), driver.identification());
@@ -298,18 +295,6 @@ public abstract class ModuleServer<M extends Module>
   @Override
   public final Object getProxy() {
     return Objects.requireNonNull(remote, "the server is not started");
-  }
-
-  /** At the same port, for all modules of the process. */
-  private void exportSecurity() throws ExportException {
-    Optional<ProcessBudgets> budgets = SecureProcess.budgets();
-    if (budgets.isPresent()) {
-      budgets.get().export(activation.host());
-    }
-    Optional<NewsExchange> news = SecureProcess.news();
-    if (news.isPresent()) {
-      news.get().export(activation.host());
-    }
   }
 
   /** The module's {@link org.dfra.river.remote.ModuleAdmin}. */

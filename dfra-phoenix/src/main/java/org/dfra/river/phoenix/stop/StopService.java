@@ -4,6 +4,7 @@ import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.util.List;
 import org.dfra.module.Idempotent;
+import org.dfra.module.StopsRobot;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -26,5 +27,6 @@ public interface StopService extends Remote {
    * @return the results
    */
   @Idempotent
+  @StopsRobot
   StopReport emergencyStop(List<String> robots, @Nullable String by) throws RemoteException;
 }

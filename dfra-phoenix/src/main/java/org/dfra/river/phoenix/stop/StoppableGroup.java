@@ -3,6 +3,7 @@ package org.dfra.river.phoenix.stop;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
 import org.dfra.module.Idempotent;
+import org.dfra.module.StopsRobot;
 
 /**
  * Stops the effectors in a group's virtual machine. The proxy of its instantiator implements it.
@@ -17,5 +18,6 @@ public interface StoppableGroup extends Remote {
    * @return the answer of each
    */
   @Idempotent
+  @StopsRobot
   GroupStopResult emergencyStop(String by) throws RemoteException;
 }
