@@ -20,6 +20,7 @@ final class RemoteInterfaces {
       Set.of(
           "org.dfra.benchmarks.call.EchoService",
           "org.dfra.benchmarks.micro.CallBenchmark$RangeSource",
+          "org.dfra.benchmarks.secure.RevocationProbe",
           "org.dfra.examples.foundation.ProcessIdService");
 
   /** No class of DFRA has them as a type, but its processes export objects with them. */

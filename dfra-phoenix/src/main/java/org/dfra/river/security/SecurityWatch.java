@@ -24,13 +24,13 @@ import org.slf4j.LoggerFactory;
  * that cannot be used changes nothing: the last good one stays in force.
  *
  * <p>Thread: one daemon, {@code dfra-security}, for the life of the process. It looks at the times
- * of two files twice a second, since a folder that is replaced as a whole cannot be watched.
+ * of two files four times a second, since a folder that is replaced as a whole cannot be watched.
  */
 final class SecurityWatch implements Runnable {
 
   private static final Logger LOG = LoggerFactory.getLogger(SecurityWatch.class);
 
-  private static final long PERIOD_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
+  private static final long PERIOD_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
   private final Path policyFile;
   private final Path revokedFile;
