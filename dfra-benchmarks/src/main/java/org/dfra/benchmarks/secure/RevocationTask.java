@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Random;
 import java.util.UUID;
 import java.util.concurrent.TimeUnit;
@@ -186,7 +187,7 @@ public final class RevocationTask implements Task {
 
     Probe() throws IOException {
       landlord.start();
-      port = PeerAddress.of(exporter.export(this)).port();
+      port = Objects.requireNonNull(PeerAddress.of(exporter.export(this))).port();
     }
 
     private static Exporter exporter(Uuid id) {

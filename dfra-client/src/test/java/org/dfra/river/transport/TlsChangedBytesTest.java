@@ -34,7 +34,11 @@ import org.junit.jupiter.api.Timeout;
 class TlsChangedBytesTest {
 
   private static final int CONNECTIONS =
-      Boolean.getBoolean("dfra.soak") ? 100_000 : Boolean.getBoolean("dfra.full") ? 1000 : 80;
+      Integer.getInteger(
+          "dfra.transport.changes",
+          Boolean.getBoolean("dfra.soak")
+              ? 100_000
+              : Boolean.getBoolean("dfra.full") ? 1000 : 80);
 
   /** What changed connections may leave in the heap, in bytes. */
   private static final long HEAP = 8 << 20;
