@@ -36,9 +36,7 @@ class TlsChangedBytesTest {
   private static final int CONNECTIONS =
       Integer.getInteger(
           "dfra.transport.changes",
-          Boolean.getBoolean("dfra.soak")
-              ? 100_000
-              : Boolean.getBoolean("dfra.full") ? 1000 : 80);
+          Boolean.getBoolean("dfra.soak") ? 100_000 : Boolean.getBoolean("dfra.full") ? 1000 : 80);
 
   /** What changed connections may leave in the heap, in bytes. */
   private static final long HEAP = 8 << 20;

@@ -180,7 +180,8 @@ public final class SecureProcess {
     try {
       return ProcessIdentity.closed(IdentityFolder.loadAlone(folder), Clock.systemUTC());
     } catch (IdentityException | GeneralSecurityException e) {
-      boolean isRobot = Files.exists(folder.resolve(SecurityFiles.ROBOT)); // a person has no such key
+      boolean isRobot =
+          Files.exists(folder.resolve(SecurityFiles.ROBOT)); // a person has no such key
       throw new IllegalStateException(
           isRobot
               ? fault + " (and this process cannot work for itself: " + e.getMessage() + ")"
