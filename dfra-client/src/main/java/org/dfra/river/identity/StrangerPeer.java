@@ -1,5 +1,7 @@
 package org.dfra.river.identity;
 
+import java.math.BigInteger;
+import java.util.Optional;
 import java.util.Set;
 import javax.security.auth.Subject;
 import org.dfra.security.Caller;
@@ -22,6 +24,11 @@ public record StrangerPeer(Caller caller) implements ChannelPeer {
   @Override
   public Subject subject() {
     return NOBODY;
+  }
+
+  @Override
+  public Optional<BigInteger> certificateNumber() {
+    return Optional.empty();
   }
 
   @Override

@@ -1,6 +1,7 @@
 package org.dfra.river.identity;
 
 import java.io.IOException;
+import java.math.BigInteger;
 import java.net.InetAddress;
 import java.security.GeneralSecurityException;
 import java.security.Principal;
@@ -238,6 +239,11 @@ public final class TeamIdentity implements ChannelIdentity {
   }
 
   @Override
+  public boolean isRevoked(BigInteger certificate) {
+    return revoked.contains(certificate);
+  }
+
+  @Override
   public void addRevocationListener(Runnable listener) {
     revoked.addListener(listener);
   }
@@ -313,6 +319,13 @@ public final class TeamIdentity implements ChannelIdentity {
     private boolean isOwnHere() {
       return (isLocal || !TeamIdentity.this.isRevoked(certificate))
           && (isThisComputer || (certificate.equals(own) && isIssued));
+    }
+
+    @Override
+    public Optional<BigInteger> certificateNumber() {
+      boolean isOwnWork =
+          isThisComputer && (trust.standing(certificate) == Standing.OWN || who.equals(member));
+      return isOwnWork ? Optional.empty() : Optional.of(certificate.getSerialNumber());
     }
 
     @Override

@@ -36,11 +36,11 @@ import org.dfra.sim.world.shape.PlanarShape.Vertex;
  * @param simulationSpeed speed of the robots' clock
  * @param longest timeout of the search, robots' clock
  */
-record RasterSetup(
+public record RasterSetup(
     Scenario scenario, Path world, Mode mode, SimulationSpeed simulationSpeed, Duration longest) {
 
   /** Modes of running a search. */
-  enum Mode {
+  public enum Mode {
     /** In processes under phoenix. */
     PROCESSES,
     /** In one JVM, with lookup services. */
@@ -52,12 +52,25 @@ record RasterSetup(
   private static final Path ROOT = Path.of(System.getProperty("dfra.root", "."));
   private static final Path WORLD = ROOT.resolve("config/worlds/raster.xml");
   private static final Path MIDDLE = ROOT.resolve("config/worlds/raster-middle.geojson");
+  private static final Path WEST = ROOT.resolve("config/worlds/raster-west.geojson");
   private static final Path TEAM = ROOT.resolve("config/teams/raster");
 
   private static final Duration TO_BEGIN = Duration.ofMinutes(10);
 
   /** Metres per second, a quarter of an unobstructed robot's speed. */
   private static final double SLOWEST = 0.15;
+
+  /**
+   * A search of a few lanes of the standard field, in processes, for another demonstration.
+   *
+   * @param speed seconds of the robots' clock per second
+   */
+  public static RasterSetup inProcesses(double speed) {
+    RasterOptions options = new RasterOptions();
+    options.speed = speed;
+    options.region = WEST.toString();
+    return of(options);
+  }
 
   /**
    * The setup for these options.
