@@ -100,7 +100,8 @@ class DistributedLayerTest {
   void theSecurityOfAProcessNeedsIdentitiesTheTransportAndCallsOnly() {
     check(
         SECURITY,
-        dependsWithinDfraOnlyOn(SECURITY, join(SECURITY, IDENTITY, TRANSPORT, CALL, API, CORE)));
+        dependsWithinDfraOnlyOn(
+            SECURITY, join(SECURITY, IDENTITY, TRANSPORT, CALL, LOADING, API, CORE)));
   }
 
   @Test

@@ -62,6 +62,7 @@ abstract class PrintedTextRules {
           "org.dfra.benchmarks.scale.TeamView",
           "org.dfra.benchmarks.secure.RecoveryTask",
           "org.dfra.benchmarks.secure.RevocationTask",
+          "org.dfra.examples.security.RogueRegistrarMain", // to the demonstration, which reads it
           "org.dfra.benchmarks.event.EventListenerTask",
           "org.dfra.benchmarks.event.EventServerTask",
           "org.dfra.benchmarks.start.ComputingTask",

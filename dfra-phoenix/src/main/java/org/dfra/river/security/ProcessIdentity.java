@@ -3,10 +3,12 @@ package org.dfra.river.security;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
+import java.security.PrivateKey;
 import java.security.PublicKey;
 import java.security.cert.X509CRL;
 import java.security.cert.X509Certificate;
 import java.time.Clock;
+import java.time.Duration;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -15,6 +17,7 @@ import org.dfra.core.audit.AuditEvent;
 import org.dfra.core.audit.AuditKind.SecurityMode;
 import org.dfra.core.audit.AuditTrail;
 import org.dfra.core.audit.AuditedGuard;
+import org.dfra.core.audit.KeptHead;
 import org.dfra.core.policy.BuiltInPolicies;
 import org.dfra.core.policy.InterfaceCatalogue;
 import org.dfra.core.policy.MethodKind;
@@ -30,13 +33,17 @@ import org.dfra.river.identity.TeamCredentials.RobotKey;
 import org.dfra.river.identity.TeamIdentity;
 import org.dfra.river.security.news.TeamNews;
 import org.dfra.security.AccessRequest;
+import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
 import org.dfra.security.Member;
+import org.dfra.security.Visibility;
 import org.jspecify.annotations.Nullable;
 
 /** The parts of a process's identity that change while it runs: its policy, and who is revoked. */
 final class ProcessIdentity {
+
+  private static final Duration HEAD_PATIENCE = Duration.ofSeconds(5);
 
   private final TeamIdentity identity;
   private final RevokedCertificates revoked;
@@ -44,6 +51,7 @@ final class ProcessIdentity {
   private final ReplaceableGuard guard;
   private final X509Certificate authority;
   private final boolean isClosed;
+  private final @Nullable PrivateKey key; // null if others do not believe its certificate
   private volatile @Nullable AuditTrail audit;
 
   private ProcessIdentity(
@@ -52,8 +60,10 @@ final class ProcessIdentity {
       PolicyGuard policy,
       ReplaceableGuard guard,
       X509Certificate authority,
-      boolean isClosed) {
+      boolean isClosed,
+      @Nullable PrivateKey key) {
     this.isClosed = isClosed;
+    this.key = key;
     this.identity = identity;
     this.revoked = revoked;
     this.policy = policy;
@@ -105,7 +115,13 @@ final class ProcessIdentity {
                 believesExpired),
             clock);
     return new ProcessIdentity(
-        identity, revoked, guard, asked, credentials.authority(), mode == SecurityMode.CLOSED);
+        identity,
+        revoked,
+        guard,
+        asked,
+        credentials.authority(),
+        mode == SecurityMode.CLOSED,
+        mode == SecurityMode.CLOSED ? null : credentials.privateKey());
   }
 
   /**
@@ -131,7 +147,7 @@ final class ProcessIdentity {
                 asked,
                 false),
             clock);
-    return new ProcessIdentity(identity, revoked, guard, asked, robot.authority(), true);
+    return new ProcessIdentity(identity, revoked, guard, asked, robot.authority(), true, null);
   }
 
   /** The transport has it before the audit trail is there. */
@@ -146,6 +162,11 @@ final class ProcessIdentity {
     @Override
     public Decision decide(AccessRequest request) {
       return guard.decide(request);
+    }
+
+    @Override
+    public Visibility visibility(Caller caller) {
+      return guard.visibility(caller);
     }
   }
 
@@ -175,6 +196,25 @@ final class ProcessIdentity {
             policy,
             trail,
             method -> MethodKinds.of(method.getDeclaringClass(), method).kind() == MethodKind.READ);
+  }
+
+  /** Whether there is an audit trail whose end can be signed. */
+  boolean hasHead() {
+    return audit != null && key != null;
+  }
+
+  /**
+   * Signs the end of the audit trail, which is on the disk then.
+   *
+   * @throws IOException if the trail cannot be written now
+   */
+  KeptHead head() throws IOException, InterruptedException {
+    @Nullable AuditTrail trail = audit;
+    @Nullable PrivateKey signer = key;
+    if (trail == null || signer == null) {
+      throw new IOException("this process has no audit trail that others believe");
+    }
+    return KeptHead.of(trail.head(signer, HEAD_PATIENCE), identity.certificate());
   }
 
   /** Records an event, if there is an audit trail. */
