@@ -113,7 +113,7 @@ class HeadStoreTest {
   }
 
   @Test
-  void headsThatAreHoursApartStayAndAFloodOfNewOnesReplacesOnlyTheNewest() throws Exception {
+  void headsOfDifferentHoursStayAndAFloodOfNewOnesReplacesOnlyTheNewest() throws Exception {
     Path file = temp.resolve("heads/heads.jsonl");
     AtomicReference<Instant> now = new AtomicReference<>(TIME);
     HeadStore store = HeadStore.open(file, now::get);
