@@ -2,6 +2,7 @@ package org.dfra.benchmarks.secure;
 
 import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.rmi.RemoteException;
 import java.time.Duration;
@@ -17,6 +18,7 @@ import org.dfra.directory.ModuleQuery;
 import org.dfra.examples.harness.DemoEnvironment;
 import org.dfra.examples.harness.DemoRobot;
 import org.dfra.flow.sensor.GPSSensor;
+import org.dfra.report.progress.DemoAssertions;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.security.MemberRole;
 import org.jspecify.annotations.Nullable;
@@ -171,6 +173,10 @@ public final class RecoveryTask implements Task {
       throws Exception {
     long process = robot.process(RECEIVER);
     environment.signal("STOP", process);
+    DemoAssertions.await(
+        "the suspension of process " + process,
+        DemoEnvironment.PATIENCE,
+        () -> isSuspended(process)); // a signal takes a moment
     @Nullable RemoteException silence = null;
     try {
       Object unused = gps.readiness();
@@ -184,6 +190,12 @@ public final class RecoveryTask implements Task {
     }
     answer(gps);
     return secondsSince(began);
+  }
+
+  /** See proc(5): the state follows the name, which is in parentheses. */
+  private static boolean isSuspended(long process) throws IOException {
+    String state = Files.readString(Path.of("/proc", Long.toString(process), "stat"));
+    return state.startsWith("T", state.lastIndexOf(')') + 2);
   }
 
   private static void answer(GPSSensor gps) throws IOException {
