@@ -80,6 +80,7 @@ dependencies {
     testCompileOnly(project(":dfra-activation"))
     testImplementation(project(":dfra-authority"))
     testImplementation(project(":dfra-benchmarks"))
+    testImplementation(project(":dfra-fixtures"))
     testImplementation(project(":dfra-recruit"))
     testImplementation(project(":dfra-testing"))
     testImplementation(rootProject.libs.reggie)

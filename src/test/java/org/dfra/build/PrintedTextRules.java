@@ -60,6 +60,8 @@ abstract class PrintedTextRules {
           "org.dfra.benchmarks.scale.ObserverTask",
           "org.dfra.benchmarks.scale.RobotTask",
           "org.dfra.benchmarks.scale.TeamView",
+          "org.dfra.benchmarks.secure.RecoveryTask",
+          "org.dfra.benchmarks.secure.RevocationTask",
           "org.dfra.examples.security.RogueRegistrarMain", // to the demonstration, which reads it
           "org.dfra.benchmarks.event.EventListenerTask",
           "org.dfra.benchmarks.event.EventServerTask",

@@ -124,7 +124,8 @@ class TestVerbTest {
             "-T",
             "-Ddfra.test.forks.across=4",
             "-Ddfra.test.alone=%regex[none]",
-            "-Ddfra.test.paired=%regex[none]")
+            "-Ddfra.test.paired=%regex[none]",
+            "-Ddfra.test.order=alphabetical")
         .anyMatch(each -> each.startsWith("MAVEN_OPTS=") && each.endsWith(boot));
     assertThat(house.resolve("dfra-activation/target/classes")).isDirectory();
     assertThat(given("maven", "--full"))
@@ -132,7 +133,8 @@ class TestVerbTest {
             "-Ddfra.test.forks.across=3",
             "-Ddfra.test.alone=%regex[org/dfra/(app/Demo.*IT|attack/(FalseStop|StopBeside.*)IT"
                 + "|drive/FirstOrderIT|examples/mission/process/.*IT|phoenix/KilledModuleIT)\\.class]",
-            "-Ddfra.test.paired=%regex[org/dfra/(attack|drive|hosts)/.*IT\\.class]")
+            "-Ddfra.test.paired=%regex[org/dfra/(attack/([^f]|fuzz/[^F])|drive/|hosts/).*IT\\.class]",
+            "-Ddfra.test.order=reversealphabetical")
         .as("Surefire refuses an exclamation mark in what is excluded")
         .noneMatch(each -> each.startsWith("-Ddfra.test.") && each.contains("!"));
   }

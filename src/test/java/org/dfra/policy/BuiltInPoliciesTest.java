@@ -5,13 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.lang.reflect.Method;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
-import java.util.EnumSet;
 import java.util.Optional;
-import java.util.Set;
 import org.dfra.core.policy.BuiltInPolicies;
 import org.dfra.core.policy.InterfaceCatalogue;
-import org.dfra.core.policy.MethodKind;
-import org.dfra.core.policy.MethodKinds;
 import org.dfra.core.policy.PolicyGuard;
 import org.dfra.core.policy.PolicyXml;
 import org.dfra.security.AccessRequest;
@@ -24,74 +20,15 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Each role calls each remote method under the policies that DFRA brings. What is expected is
- * written here a second time, without the policy's own terms.
+ * Each role asks for each remote method under the policies that DFRA brings. {@link RoleMatrixTest}
+ * calls them.
  */
 class BuiltInPoliciesTest {
 
   private static final String ROBOT = "atrv1";
 
-  private static final Set<String> ACTIVATION_SYSTEM =
-      Set.of(
-          "java.rmi.activation.ActivationSystem",
-          "java.rmi.activation.ActivationMonitor",
-          "java.rmi.activation.ActivationInstantiator",
-          "com.sun.jini.phoenix.ActivationAdmin",
-          "org.dfra.river.phoenix.PhoenixAdmin",
-          "org.dfra.river.phoenix.ReadinessMonitor");
-
-  private static final Set<String> PUBLIC =
-      Set.of(
-          "Module.identification",
-          "Module.readiness",
-          "Registrar.lookup",
-          "Registrar.getEntryClasses",
-          "Registrar.getFieldValues",
-          "Registrar.getServiceTypes",
-          "Registrar.getLocator",
-          "ServiceProxyAccessor.getServiceProxy",
-          "DiscoveryAdmin.getMemberGroups");
-
-  private static final Set<MethodKind> OBSERVER =
-      EnumSet.of(MethodKind.READ, MethodKind.LISTEN, MethodKind.LEASE, MethodKind.ACTIVATE);
-
   private static Caller caller(Standing standing, MemberRole role, String name) {
     return new Caller(standing, Optional.of(new Member("field", role, name)), "192.0.2.7");
-  }
-
-  private static boolean isExpected(Caller caller, Class<?> type, Method method, String robot) {
-    MethodKind kind = MethodKinds.of(type, method).kind();
-    String owner = method.getDeclaringClass().getName();
-    if (caller.standing() == Standing.OWN) {
-      return true;
-    } else if (kind == MethodKind.STOP) {
-      return caller.standing() != Standing.STRANGER;
-    } else if (ACTIVATION_SYSTEM.contains(owner)) {
-      return false;
-    } else if (kind == MethodKind.REGISTER && !robot.isEmpty()) {
-      return caller.standing() == Standing.MEMBER
-          && caller.member().orElseThrow().role() == MemberRole.ROBOT;
-    } else if (caller.standing() != Standing.MEMBER) {
-      return isPublic(type, method);
-    } else if (owner.equals("org.dfra.river.security.news.TeamNews")) {
-      return true; // the authority has signed it
-    }
-    return switch (caller.member().orElseThrow().role()) {
-      case OPERATOR -> true;
-      case OBSERVER -> OBSERVER.contains(kind);
-      case ROBOT ->
-          OBSERVER.contains(kind) || kind == MethodKind.DELIVER || kind == MethodKind.REGISTER;
-    };
-  }
-
-  /** Of a registrar, only it has the public methods that it inherits. */
-  private static boolean isPublic(Class<?> type, Method method) {
-    String name = method.getDeclaringClass().getSimpleName() + "." + method.getName();
-    boolean isOfRegistrar =
-        Set.of("ServiceProxyAccessor", "DiscoveryAdmin")
-            .contains(method.getDeclaringClass().getSimpleName());
-    return PUBLIC.contains(name)
-        && (!isOfRegistrar || type.getName().equals("com.sun.jini.reggie.Registrar"));
   }
 
   @Test
@@ -118,7 +55,7 @@ class BuiltInPoliciesTest {
                     .isPermitted();
             assertThat(isPermitted)
                 .as("%s calls %s of %s of \"%s\"", caller, method, type.getSimpleName(), robot)
-                .isEqualTo(isExpected(caller, type, method, robot));
+                .isEqualTo(ExpectedPermissions.permit(caller, type, method, robot));
             permitted += isPermitted ? 1 : 0;
             refused += isPermitted ? 0 : 1;
           }

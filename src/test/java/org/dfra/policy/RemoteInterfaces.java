@@ -1,9 +1,5 @@
 package org.dfra.policy;
 
-import com.tngtech.archunit.core.domain.JavaClass;
-import com.tngtech.archunit.core.domain.JavaClasses;
-import com.tngtech.archunit.core.importer.ClassFileImporter;
-import com.tngtech.archunit.core.importer.ImportOption;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 import java.rmi.Remote;
@@ -13,7 +9,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
-import org.dfra.build.MainClasses;
+import org.dfra.build.MainClassNames;
 import org.dfra.core.policy.MethodKinds;
 
 /** All remote interfaces that programs of DFRA call, as they are found in the class files. */
@@ -24,6 +20,7 @@ final class RemoteInterfaces {
       Set.of(
           "org.dfra.benchmarks.call.EchoService",
           "org.dfra.benchmarks.micro.CallBenchmark$RangeSource",
+          "org.dfra.benchmarks.secure.RevocationProbe",
           "org.dfra.examples.foundation.ProcessIdService");
 
   /** No class of DFRA has them as a type, but its processes export objects with them. */
@@ -47,22 +44,21 @@ final class RemoteInterfaces {
 
   private RemoteInterfaces() {}
 
+  /** Reads names from the class path and loads the classes, which takes a fifth of an analysis. */
   private static List<Class<?>> find() {
-    Set<String> names = new TreeSet<>(BY_NAME);
-    JavaClasses activation =
-        new ClassFileImporter()
-            .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
-            .importPackages("java.rmi.activation");
-    for (JavaClass each : Stream.concat(MainClasses.ALL.stream(), activation.stream()).toList()) {
-      Stream.concat(Stream.of(each), each.getAllRawInterfaces().stream())
-          .filter(JavaClass::isInterface)
-          .filter(type -> type.isAssignableTo(Remote.class))
-          .map(JavaClass::getName)
-          .filter(name -> !name.equals(Remote.class.getName()))
-          .filter(name -> !NOT_ON_ROBOTS.contains(name))
-          .forEach(names::add);
+    Set<Class<?>> found = new TreeSet<>(Comparator.comparing(Class::getName));
+    BY_NAME.forEach(each -> found.add(load(each)));
+    for (String folder : List.of("org/dfra", "java/rmi/activation")) {
+      for (String name : MainClassNames.below(folder)) {
+        Class<?> type = load(name);
+        Stream.concat(Stream.of(type), MethodKinds.interfaces(type).stream())
+            .filter(each -> each.isInterface() && Remote.class.isAssignableFrom(each))
+            .filter(each -> each != Remote.class)
+            .filter(each -> !NOT_ON_ROBOTS.contains(each.getName()))
+            .forEach(found::add);
+      }
     }
-    return names.stream().<Class<?>>map(RemoteInterfaces::load).toList();
+    return List.copyOf(found);
   }
 
   static Class<?> load(String name) {

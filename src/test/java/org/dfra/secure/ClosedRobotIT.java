@@ -2,18 +2,23 @@ package org.dfra.secure;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.awaitility.Awaitility.await;
 import static org.dfra.secure.SecureTeam.ANNA;
 import static org.dfra.secure.SecureTeam.ok;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.PosixFilePermissions;
+import java.rmi.RemoteException;
 import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.ZoneOffset;
+import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import net.jini.core.lookup.ServiceTemplate;
 import org.dfra.app.MarkedProcesses.Outcome;
 import org.dfra.authority.Authority;
@@ -21,6 +26,7 @@ import org.dfra.cli.security.IdentityInstaller;
 import org.dfra.cli.security.VerifiedBundle;
 import org.dfra.drive.Wheels;
 import org.dfra.flow.effector.DriveEffector;
+import org.dfra.river.phoenix.GroupStatus;
 import org.dfra.secure.PlainCalls.Greeted;
 import org.dfra.security.AccessRefusedException;
 import org.dfra.security.MemberRole;
@@ -97,12 +103,53 @@ class ClosedRobotIT {
         .contains("velocity");
   }
 
+  /** What a closed process says of its identity, and what was done to the identity. */
+  private record Fault(String why, Spoiling spoiling) {}
+
+  @FunctionalInterface
+  private interface Spoiling {
+    void spoil() throws Exception;
+  }
+
+  private Fault aWrongPassphrase() {
+    return new Fault(
+        "identity.p12 is wrong; correct identity.pass beside it",
+        () -> {
+          Path unused = Files.writeString(file("identity.pass"), "wrong\n");
+        });
+  }
+
+  private List<Fault> otherFaults(Path otherAuthority) {
+    return List.of(
+        new Fault(
+            "comes with that of another authority",
+            () -> {
+              Path unused =
+                  Files.copy(
+                      otherAuthority, file("authority.pem"), StandardCopyOption.REPLACE_EXISTING);
+            }),
+        new Fault(
+            "the policy's signature is not that of CN=field authority",
+            () -> {
+              Path unused = Files.writeString(file("policy.xml"), "<policy");
+            }),
+        new Fault(
+            "which must be private; type: chmod 600",
+            () -> {
+              Path unused =
+                  Files.setPosixFilePermissions(
+                      file("identity.p12"), PosixFilePermissions.fromString("rw-r--r--"));
+            }));
+  }
+
   @Test
-  void aWrongPassphraseClosesARobot() throws Exception {
+  void aWrongPassphraseClosesARobotAndSoDoesEachOtherFault() throws Exception {
     joined();
     MemberCalls itself = new MemberCalls(team.security(ROBOT));
-    Path unused = Files.writeString(file("identity.pass"), "wrong\n");
-    assertClosed("identity.p12 is wrong; correct identity.pass beside it");
+    Path intact = copyOf(team.security(ROBOT), folder.resolve("intact"));
+    Fault first = aWrongPassphrase();
+    first.spoiling().spoil();
+    assertClosed(first.why());
     DriveEffector own = itself.find(team.registrar(ROBOT), DriveEffector.class, "atrv1/drive");
     assertThatThrownBy(() -> MemberCalls.registrar(team.registrar(ROBOT)).lookup(ALL, 8))
         .isInstanceOf(AccessRefusedException.class);
@@ -111,39 +158,65 @@ class ClosedRobotIT {
     assertThat(itself.call(own::emergencyStopState).latched()).as("%s", stop).isTrue();
     assertThat(stop.out()).as("nobody knows who has answered").contains("DOUBTFUL");
     ok(team.dfra(ROBOT, "stop", ROBOT, "--team=", "--host=127.0.0.1", phoenix()));
-  }
-
-  @Test
-  @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "one more robot")
-  void theCertificateOfAnotherAuthorityClosesARobot() throws Exception {
-    joined();
-    try (SecureTeam others = new SecureTeam(folder.resolve("others"))) {
-      others.init();
-      Path unused =
-          Files.copy(
-              others.security(ANNA).resolve("authority.pem"),
-              file("authority.pem"),
-              StandardCopyOption.REPLACE_EXISTING);
+    if (Boolean.getBoolean("dfra.full")) {
+      try (SecureTeam others = new SecureTeam(folder.resolve("others"))) {
+        others.init();
+        for (Fault each : otherFaults(others.security(ANNA).resolve("authority.pem"))) {
+          Path unused = copyOf(intact, team.security(ROBOT));
+          each.spoiling().spoil();
+          assertClosedAgain(each.why());
+        }
+      }
     }
-    assertClosed("comes with that of another authority");
   }
 
-  @Test
-  @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "one more robot")
-  void aPolicyThatNobodyHasSignedClosesARobot() throws Exception {
-    joined();
-    Path unused = Files.writeString(file("policy.xml"), "<policy");
-    assertClosed("the policy's signature is not that of CN=field authority");
+  /** Its group starts again, with another fault than before. */
+  private void assertClosedAgain(String why) throws Exception {
+    MemberCalls itself = MemberCalls.alone(folder.resolve("intact"));
+    DriveEffector drive = itself.find(team.registrar(ROBOT), DriveEffector.class, "atrv1/drive");
+    GroupStatus before = itself.call(this::group);
+    SecureTeam.kill(ProcessHandle.of(before.pid()).orElseThrow());
+    await()
+        .pollInSameThread()
+        .atMost(SecureTeam.PATIENCE)
+        .ignoreExceptionsMatching(RemoteException.class::isInstance)
+        .until(() -> itself.call(() -> drive.emergencyStopState().latched()));
+    GroupStatus now = itself.call(this::group);
+    assertThat(now.pid()).isNotEqualTo(before.pid());
+    Map<Integer, Greeted> answers = PlainCalls.toAllPortsOf(now.pid());
+    assertThat(answers.values())
+        .as("answers to plain calls, since %s: %s", why, answers)
+        .contains(Greeted.ENCRYPTED_ONLY)
+        .doesNotContain(Greeted.WELCOME, Greeted.RIVER);
+    assertThatThrownBy(() -> MemberCalls.registrar(team.registrar(ROBOT)).lookup(ALL, 8))
+        .as("a stranger, since %s", why)
+        .isInstanceOf(AccessRefusedException.class);
+    assertThat(ok(team.dfra(ROBOT, "status")).out())
+        .contains("Closed: robot atrv1 of field works for itself only, since ")
+        .contains(why);
   }
 
-  @Test
-  @EnabledIfSystemProperty(named = "dfra.full", matches = "true", disabledReason = "one more robot")
-  void aKeyThatOthersMayReadClosesARobot() throws Exception {
-    joined();
-    Path unused =
-        Files.setPosixFilePermissions(
-            file("identity.p12"), PosixFilePermissions.fromString("rw-r--r--"));
-    assertClosed("which must be private; type: chmod 600");
+  private GroupStatus group() throws IOException {
+    return team.phoenix(ROBOT).admin().groupStatus().stream()
+        .filter(each -> each.name().endsWith(".all"))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  /** Copies the files of a folder, with their permissions. */
+  private static Path copyOf(Path from, Path to) throws Exception {
+    Path unusedFolder = privateFolder(to);
+    try (Stream<Path> files = Files.list(from)) {
+      for (Path each : files.filter(Files::isRegularFile).toList()) {
+        Path unused =
+            Files.copy(
+                each,
+                to.resolve(each.getFileName()),
+                StandardCopyOption.REPLACE_EXISTING,
+                StandardCopyOption.COPY_ATTRIBUTES);
+      }
+    }
+    return to;
   }
 
   @Test

@@ -16,6 +16,7 @@ import org.dfra.module.Module;
 import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.identity.IdentityFolder;
 import org.dfra.river.identity.RevokedCertificates;
+import org.dfra.river.identity.RobotAlone;
 import org.dfra.river.identity.TeamCredentials;
 import org.dfra.river.identity.TeamIdentity;
 import org.dfra.security.Decision;
@@ -49,6 +50,30 @@ final class MemberCalls {
                 request -> Decision.permit("test"),
                 false),
             Clock.systemUTC());
+  }
+
+  private MemberCalls(TeamIdentity identity) {
+    this.identity = identity;
+  }
+
+  /**
+   * Calls with a robot's own key, as its processes call each other when nobody else would believe
+   * them.
+   */
+  static MemberCalls alone(Path security) throws Exception {
+    RobotAlone robot = IdentityFolder.loadAlone(security);
+    return new MemberCalls(
+        new TeamIdentity(
+            new TeamIdentity.Settings(
+                robot.member(),
+                new TeamIdentity.Key(robot.key().key(), List.of(robot.key().certificate())),
+                Set.of(),
+                Set.of(),
+                robot.authority(),
+                new RevokedCertificates(robot.authority()),
+                request -> Decision.permit("test"),
+                false),
+            Clock.systemUTC()));
   }
 
   /** Calls: what is received and exported meanwhile keeps this identity. */

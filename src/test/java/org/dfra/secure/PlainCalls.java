@@ -14,6 +14,9 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import org.dfra.core.host.ListeningSocket;
 
 /** Attempts to call a robot's processes without encryption, as open ones are called. */
@@ -45,8 +48,10 @@ final class PlainCalls {
     NO_CALLS
   }
 
-  /** All ports of a process that listen, and what they answer. */
-  static Map<Integer, Greeted> toAllPortsOf(long pid) throws IOException {
+  /**
+   * All ports of a process that listen, and what they answer; asked at once, as some say nothing.
+   */
+  static Map<Integer, Greeted> toAllPortsOf(long pid) throws Exception {
     Set<String> own = new HashSet<>();
     try (DirectoryStream<Path> open =
         Files.newDirectoryStream(PROC.resolve(Long.toString(pid)).resolve("fd"))) {
@@ -56,13 +61,22 @@ final class PlainCalls {
         }
       }
     }
-    Map<Integer, Greeted> answers = new HashMap<>();
-    for (ListeningSocket each : ListeningSocket.all(PROC)) {
-      if (own.contains("socket:[" + each.inode() + "]")) {
-        answers.put(each.port(), greet(each.port()));
+    ExecutorService threads = Executors.newCachedThreadPool();
+    try {
+      Map<Integer, Future<Greeted>> asked = new HashMap<>();
+      for (ListeningSocket each : ListeningSocket.all(PROC)) {
+        if (own.contains("socket:[" + each.inode() + "]")) {
+          asked.put(each.port(), threads.submit(() -> greet(each.port())));
+        }
       }
+      Map<Integer, Greeted> answers = new HashMap<>();
+      for (Map.Entry<Integer, Future<Greeted>> each : asked.entrySet()) {
+        answers.put(each.getKey(), each.getValue().get());
+      }
+      return answers;
+    } finally {
+      threads.shutdownNow();
     }
-    return answers;
   }
 
   /** See docs/reference/transport.md. */

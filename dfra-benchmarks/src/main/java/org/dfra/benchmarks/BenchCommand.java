@@ -47,6 +47,7 @@ import picocli.CommandLine.Spec;
       "  parsers       the devices' parsers (fifteen seconds)",
       "  recruit       messages between agents, latency of messages and events (three minutes)",
       "  scale         teams of 2, 10, 30 and 100 robots (twenty minutes; less with --robots)",
+      "  secure        revocation, and recovery of secure robots beside open ones (ten minutes; --quick)",
       "  start         robots' start, recovery and memory, with and without archive (five minutes)",
       "  world         simulated robots with laser scans and images (half a minute)"
     })
@@ -69,6 +70,7 @@ final class BenchCommand implements Callable<Integer> {
     benches.put("parsers", ParserBench::new);
     benches.put("recruit", () -> new RecruitBench(folder("recruit")));
     benches.put("scale", () -> new ScaleBench(sizes, folder("scale")));
+    benches.put("secure", () -> new SecureBench(quick));
     benches.put("start", StartBench::new);
     benches.put("world", WorldBench::new);
   }
@@ -116,7 +118,7 @@ final class BenchCommand implements Callable<Integer> {
   @Option(
       names = "--quick",
       description =
-          "The benchmarks call, events and micro run for a minute or less; their figures are"
+          "The benchmarks call, events, micro and secure run for a minute or less; their figures are"
               + " inaccurate.")
   private boolean quick;
 
@@ -177,7 +179,9 @@ final class BenchCommand implements Callable<Integer> {
 
   /** The name in records, where a short run is not to be taken for a full one. */
   private String recordedName() {
-    return quick && Set.of("micro", "call", "events").contains(name) ? name + " quick" : name;
+    return quick && Set.of("micro", "call", "events", "secure").contains(name)
+        ? name + " quick"
+        : name;
   }
 
   @Override

@@ -23,6 +23,7 @@ import net.jini.jeri.ObjectEndpoint;
 import net.jini.jeri.OutboundRequest;
 import net.jini.jeri.OutboundRequestIterator;
 import org.dfra.river.call.ResurrectingHandler;
+import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.transport.AbortableEndpoint;
 import org.dfra.river.transport.SourceBoundEndpoint;
 import org.jspecify.annotations.Nullable;
@@ -128,9 +129,13 @@ public final class RawCall implements AutoCloseable {
     }
   }
 
-  /** DFRA's own transport sends only complete blocks. */
+  /**
+   * DFRA's own transport sends only complete blocks. A member of a team has no other, since the one
+   * that sends at once does not encrypt.
+   */
   private static ObjectEndpoint unbuffered(ObjectEndpoint target) {
-    if (target instanceof BasicObjectEndpoint object
+    if (CurrentIdentity.get() == null
+        && target instanceof BasicObjectEndpoint object
         && object.getEndpoint() instanceof AbortableEndpoint endpoint) {
       @Nullable String source =
           endpoint instanceof SourceBoundEndpoint bound ? bound.source() : null;

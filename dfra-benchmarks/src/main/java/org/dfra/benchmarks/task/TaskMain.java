@@ -6,8 +6,12 @@ import java.io.PrintStream;
 import java.lang.reflect.Constructor;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import org.dfra.river.security.SecureProcess;
 
-/** Runs a {@link Task} in a separate process, which ends with the process that started it. */
+/**
+ * Runs a {@link Task} in a separate process, which ends with the process that started it. It has
+ * the identity that the system property {@value SecureProcess#PROPERTY} names, if it is set.
+ */
 final class TaskMain {
 
   private static final int FAILED = 1;
@@ -27,6 +31,7 @@ final class TaskMain {
         new PrintStream(new FileOutputStream(FileDescriptor.out), true, StandardCharsets.UTF_8);
     System.setOut(System.err);
     try {
+      Object unused = SecureProcess.installFromProperty();
       Constructor<? extends Task> constructor =
           Class.forName(args[0]).asSubclass(Task.class).getDeclaredConstructor();
       constructor.setAccessible(true); // a task need not be public

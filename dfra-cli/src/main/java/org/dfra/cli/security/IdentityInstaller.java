@@ -173,7 +173,7 @@ public final class IdentityInstaller {
   private void writeKey(Path draft, KeyEntry entry, String store, String passphrase, String alias)
       throws IOException {
     String opens = OneTimePassphrase.create(random);
-    write(draft, store, entry.toKeyStore(alias, opens.toCharArray()));
+    write(draft, store, entry.toKeyStoreOfRandom(alias, opens.toCharArray()));
     write(draft, passphrase, (opens + "\n").getBytes(StandardCharsets.US_ASCII));
   }
 

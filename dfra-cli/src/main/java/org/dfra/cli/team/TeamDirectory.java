@@ -49,10 +49,20 @@ public final class TeamDirectory implements AutoCloseable {
    * The directory, after all known registrars were queried. Prints a note about named locators that
    * do not answer.
    *
-   * @throws CommandFailure if no lookup service was found at all
+   * @throws CommandFailure if no lookup service was found at all, or none accepts this program
    */
   public JiniModuleDirectory awaitDirectory() throws InterruptedException {
     List<String> silent = directory.awaitFirstRead(remainingTime());
+    List<String> refusals = directory.refusals();
+    if (!refusals.isEmpty()) {
+      throw new CommandFailure(
+          ExitCode.FAILED,
+          "no lookup service accepts this command: "
+              + String.join("; ", refusals)
+              + "; "
+              + CommandName.current()
+              + " whoami shows who this computer is");
+    }
     if (directory.registrarCount() == 0) {
       throw new CommandFailure(ExitCode.NOT_FOUND, noLookupService());
     }

@@ -9,6 +9,7 @@ import java.security.URIParameter;
 import java.security.UnrecoverableKeyException;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import javax.security.auth.Subject;
 import javax.security.auth.callback.CallbackHandler;
@@ -125,7 +126,7 @@ final class IdentityLogin {
     if (failure.getCause() instanceof IOException cause) {
       return identity
           + " is no key store in PKCS #12, or its passphrase is missing ("
-          + cause.getMessage()
+          + Objects.requireNonNullElse(cause.getMessage(), "it is damaged")
           + "); join the team again: security join NAME.bundle";
     }
     return "the login that "

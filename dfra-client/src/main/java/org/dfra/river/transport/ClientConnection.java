@@ -23,6 +23,7 @@ final class ClientConnection {
   private @Nullable ByteBuffer input; // ready to be read from
   private long idleSince;
   private boolean paused;
+  private boolean isNew = true;
 
   ClientConnection(Link link) {
     this.link = link;
@@ -56,6 +57,22 @@ final class ClientConnection {
   void setIdle(long now) {
     idleSince = now;
     paused = false;
+    isNew = false;
+  }
+
+  /** Whether no call on it has been answered. */
+  boolean isNew() {
+    return isNew;
+  }
+
+  /**
+   * The next connection to the server makes a complete handshake. A server that resumes a session
+   * can refuse it, but only a complete handshake says why.
+   */
+  void forgetSession() {
+    if (link instanceof TlsLink encrypted) {
+      encrypted.forgetSession();
+    }
   }
 
   /** How long it has been idle, in nanoseconds. */

@@ -321,6 +321,23 @@ final class ClientConnections {
     return encrypted;
   }
 
+  /**
+   * The server has ended the handshake when this end had finished it: it does not believe this
+   * end's certificate. A member whose certificate has expired is believed to have been one.
+   */
+  ServerNotAcceptedException notAccepted(SSLException alert) {
+    return new ServerNotAcceptedException(
+        PrintableText.line(
+            key.server
+                + " does not accept the certificate of "
+                + key.identity
+                + ", and has not executed the call: it was revoked, is not valid yet by that"
+                + " computer's clock, or is of another team ("
+                + alert.getMessage()
+                + ")"),
+        alert);
+  }
+
   private void greet(Link link, Uuid server) throws IOException {
     ByteBuffer bytes = ByteBuffer.allocate(Greeting.CLIENT_BYTES);
     Greeting.putClient(bytes, server, key.identity != null, CallInFlight.isCurrentStop());

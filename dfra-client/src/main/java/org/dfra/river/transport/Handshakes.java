@@ -35,7 +35,19 @@ final class Handshakes {
       selector.submit(() -> resume(key, connection, isOver));
     } catch (IOException | RuntimeException e) { // also what a hostile peer makes JSSE throw
       LOG.log(Level.DEBUG, () -> "The handshake of " + link.peer() + " failed: " + e);
-      connection.close();
+      if (link.isRefused()) {
+        selector.submit(() -> refuse(key, connection));
+      } else {
+        connection.close();
+      }
+    }
+  }
+
+  /** TLS has no alert for this any more. The client learns that its request is not executed. */
+  private void refuse(SelectionKey key, ServerConnection connection) {
+    if (key.isValid() && connection.enter(State.HANDSHAKE, State.IDLE)) {
+      key.interestOps(SelectionKey.OP_READ);
+      selector.endGently(connection);
     }
   }
 

@@ -9,6 +9,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.ClosedChannelException;
 import java.util.Collection;
 import java.util.Objects;
+import javax.net.ssl.SSLHandshakeException;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.jeri.OutboundRequest;
 
@@ -78,7 +79,7 @@ final class OutboundCall implements OutboundRequest, MessageOutput.Sender, Messa
   }
 
   /** Whether the server has announced, while the request was sent, that it does not execute it. */
-  private boolean hasRefusal() {
+  private boolean hasRefusal() throws ServerNotAcceptedException {
     ByteBuffer input = connection.input().clear();
     try {
       connection.link().setBlocking(false);
@@ -86,6 +87,11 @@ final class OutboundCall implements OutboundRequest, MessageOutput.Sender, Messa
       input.flip();
       return input.remaining() >= Block.HEADER_BYTES
           && Block.decode(input.getInt(0)).kind() == Block.Kind.CLOSING;
+    } catch (SSLHandshakeException e) {
+      if (connection.isNew()) {
+        throw notAccepted(e);
+      }
+      return false;
     } catch (IOException e) {
       return false;
     }
@@ -93,14 +99,30 @@ final class OutboundCall implements OutboundRequest, MessageOutput.Sender, Messa
 
   @Override
   public void receive(ByteBuffer buffer) throws IOException {
-    if (connection.link().read(buffer) < 0) {
+    int count;
+    try {
+      count = connection.link().read(buffer);
+    } catch (SSLHandshakeException e) {
+      throw connection.isNew() ? notAccepted(e) : e;
+    }
+    if (count < 0) {
       throw MessageInput.ended();
     }
+  }
+
+  /**
+   * The server checks a client's certificate when the client's handshake is over, and reads no
+   * request before that.
+   */
+  private ServerNotAcceptedException notAccepted(SSLHandshakeException alert) {
+    delivered = false;
+    return owner.notAccepted(alert);
   }
 
   @Override
   public IOException refused() {
     delivered = false;
+    connection.forgetSession();
     return new ConnectException("the server closed the connection before it executed the call");
   }
 

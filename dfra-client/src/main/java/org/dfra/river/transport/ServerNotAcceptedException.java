@@ -1,6 +1,7 @@
 package org.dfra.river.transport;
 
 import java.io.IOException;
+import java.util.Optional;
 
 /**
  * A server was reached, and it and this program do not accept each other: one of them has joined no
@@ -21,11 +22,16 @@ public final class ServerNotAcceptedException extends IOException {
 
   /** Whether it is among the causes of a failure. */
   public static boolean isCauseOf(Throwable failure) {
+    return reason(failure).isPresent();
+  }
+
+  /** Its message, if it is among the causes of a failure. */
+  public static Optional<String> reason(Throwable failure) {
     for (Throwable at = failure; at != null; at = at.getCause()) {
       if (at instanceof ServerNotAcceptedException) {
-        return true;
+        return Optional.ofNullable(at.getMessage());
       }
     }
-    return false;
+    return Optional.empty();
   }
 }

@@ -64,6 +64,9 @@ final class TlsLink extends ForwardingLink {
 
   private volatile @Nullable ChannelPeer partner;
 
+  /** Whether the handshake is over, also if its peer is not believed. */
+  private volatile boolean isEncrypted;
+
   /**
    * The client's end.
    *
@@ -144,11 +147,24 @@ final class TlsLink extends ForwardingLink {
           }
         }
         case FINISHED, NOT_HANDSHAKING -> {
+          isEncrypted = true;
           partner = identity.peer(engine.session(), address(), !isServer);
           return true;
         }
       }
     }
+  }
+
+  /**
+   * Whether the handshake is over, but the peer is not believed: a revoked one resumes its session.
+   */
+  boolean isRefused() {
+    return isEncrypted && partner == null;
+  }
+
+  /** The next connection to this peer does not resume the session of this one. */
+  void forgetSession() {
+    engine.session().invalidate();
   }
 
   private String address() {

@@ -49,7 +49,9 @@ class TlsDeadlineTest {
 
   private static final int CALLERS = 40;
   private static final long FREE_MILLIS = 2100;
-  private static final int HANDSHAKES = 200;
+
+  /** {@code ./dfra bench secure} makes a thousand, on a computer that does nothing else. */
+  private static final int HANDSHAKES = 60;
 
   private final TestIdentities team = new TestIdentities(new TestTeam("field"));
   private final ChannelIdentity robot = team.of(MemberRole.ROBOT, "atrv1");
@@ -146,15 +148,15 @@ class TlsDeadlineTest {
       }
       for (List<Double> each : List.of(full, resumed)) {
         each.sort(null);
-        double p99 = each.get(each.size() * 99 / 100);
+        double longest = each.get(each.size() - 1);
         System.out.printf(
             Locale.ROOT,
-            "%d %s handshakes: median %.1f ms, p99 %.1f ms%n",
+            "%d %s handshakes: median %.1f ms, longest %.1f ms%n",
             each.size(),
             each == full ? "full" : "resumed",
             each.get(each.size() / 2),
-            p99);
-        assertThat(p99).as("p99, ms").isLessThan(1000);
+            longest);
+        assertThat(longest).as("the longest, ms").isLessThan(1000);
       }
     }
   }

@@ -157,7 +157,11 @@ public final class CommandArbiter {
     try {
       refuseACommandWhileStopped();
       refuseUnlessHeldBy(key);
-      stopIfOwed(); // of an earlier commander, whose command blocked the driver
+      if (isStopOwed) {
+        stopIfOwed(); // of an earlier commander, whose command blocked the driver
+        refuseACommandWhileStopped(); // that may have taken long
+        refuseUnlessHeldBy(key);
+      }
       command.run();
     } finally {
       acting.unlock();

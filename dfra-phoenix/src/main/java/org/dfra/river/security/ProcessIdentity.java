@@ -10,6 +10,7 @@ import java.security.cert.X509Certificate;
 import java.time.Clock;
 import java.time.Duration;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.dfra.core.audit.AuditEvent;
@@ -219,8 +220,18 @@ final class ProcessIdentity {
     try {
       return new PolicyStore(folder, authority, InterfaceCatalogue.builtIn()).load();
     } catch (PolicySignatureException e) {
-      throw new IOException(e.getMessage(), e);
+      throw new IOException(withFile(folder, e, ": "), e);
+    } catch (IOException e) {
+      throw new IOException(withFile(folder, e, " cannot be read: "), e);
     }
+  }
+
+  /** Operating systems leave out which file it is, and a check of bytes does not know it. */
+  private static String withFile(Path folder, Exception failure, String between) {
+    String message = Objects.toString(failure.getMessage(), failure.toString());
+    return message.contains(folder.toString())
+        ? message
+        : folder.resolve(PolicyStore.POLICY) + between + message;
   }
 
   /** Records all further decisions and events. */

@@ -2,6 +2,7 @@ package org.dfra.river.security;
 
 import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.rmi.server.ExportException;
 import java.security.GeneralSecurityException;
@@ -303,8 +304,13 @@ public final class SecureProcess {
     try {
       return ProcessIdentity.closed(IdentityFolder.loadAlone(folder), Clock.systemUTC());
     } catch (IdentityException | GeneralSecurityException e) {
+      boolean isRobot =
+          Files.exists(folder.resolve(SecurityFiles.ROBOT)); // a person has no such key
       throw new IllegalStateException(
-          fault + " (and this process cannot work for itself: " + e.getMessage() + ")", e);
+          isRobot
+              ? fault + " (and this process cannot work for itself: " + e.getMessage() + ")"
+              : fault,
+          e);
     }
   }
 }

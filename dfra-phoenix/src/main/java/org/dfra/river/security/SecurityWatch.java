@@ -31,14 +31,14 @@ import org.slf4j.LoggerFactory;
  * audit trail signed in each period.
  *
  * <p>Thread: one daemon, {@code dfra-security}, for the life of the process. It looks at the times
- * of two files twice a second, since a folder that is replaced as a whole cannot be watched, and at
- * what the robot's processes share for decisions by the policy.
+ * of two files four times a second, since a folder that is replaced as a whole cannot be watched,
+ * and at what the robot's processes share for decisions by the policy.
  */
 final class SecurityWatch implements Runnable {
 
   private static final Logger LOG = LoggerFactory.getLogger(SecurityWatch.class);
 
-  private static final long PERIOD_NANOS = TimeUnit.MILLISECONDS.toNanos(500);
+  private static final long PERIOD_NANOS = TimeUnit.MILLISECONDS.toNanos(250);
 
   /** While an operator may answer a request at any moment. */
   private static final long ANSWER_PERIOD_NANOS = TimeUnit.MILLISECONDS.toNanos(100);

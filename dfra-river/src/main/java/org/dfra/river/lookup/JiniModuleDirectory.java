@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executors;
@@ -63,6 +64,10 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
 
   /** Guarded by itself. */
   private final Map<LocatedRegistrar, RegistrarMonitor> watches = new HashMap<>();
+
+  /** Why lookup services and this program do not accept each other, by their names. */
+  @GuardedBy("watches")
+  private final Map<String, String> refusals = new TreeMap<>();
 
   private final Map<String, Boolean> hosts = new ConcurrentHashMap<>();
   private final ScheduledExecutorService watchdog;
@@ -143,6 +148,18 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
   public int registrarCount() {
     synchronized (watches) {
       return watches.size();
+    }
+  }
+
+  /**
+   * Why this program finds nothing although lookup services were found: it and they do not accept
+   * each other, for example since its certificate was revoked. Empty if one was read.
+   */
+  public List<String> refusals() {
+    synchronized (watches) {
+      return watches.values().stream().anyMatch(RegistrarMonitor::isRead)
+          ? List.of()
+          : List.copyOf(refusals.values());
     }
   }
 
@@ -241,6 +258,7 @@ public final class JiniModuleDirectory extends CachedModuleDirectory {
   private void lost(RegistrarMonitor watch) {
     synchronized (watches) {
       watches.remove(watch.registrar(), watch);
+      watch.refusal().ifPresent(reason -> refusals.put(watch.registrar().toString(), reason));
       watches.notifyAll();
     }
     discovery.discard(watch.registrar()); // then search for it again

@@ -28,6 +28,7 @@ import org.dfra.river.call.DeadlineExceededException;
 import org.dfra.river.entry.Entries;
 import org.dfra.river.entry.ModuleEntry;
 import org.dfra.river.lookup.EffectorSearch.ListedEffector;
+import org.dfra.river.transport.ServerNotAcceptedException;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -168,7 +169,9 @@ final class RegistrarEffectorReader implements AutoCloseable {
   }
 
   private void fault(Throwable e) {
-    fault("it did not answer (" + e.getClass().getSimpleName() + ")");
+    fault(
+        ServerNotAcceptedException.reason(e)
+            .orElse("it did not answer (" + e.getClass().getSimpleName() + ")"));
   }
 
   private void answered() {

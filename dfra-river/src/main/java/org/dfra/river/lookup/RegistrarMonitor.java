@@ -30,6 +30,7 @@ import net.jini.export.Exporter;
 import org.dfra.river.call.CallThreads;
 import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.lookup.RegistrarContents.RegistrarCall;
+import org.dfra.river.transport.ServerNotAcceptedException;
 import org.dfra.security.AccessRefusedException;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -95,6 +96,7 @@ final class RegistrarMonitor implements AutoCloseable {
   private static final int BEATS_WITHOUT_EVENTS = 5;
 
   private volatile boolean silent;
+  private volatile @Nullable String refusal; // why it and this program do not accept each other
   private final TeamNeighbours neighbours = new TeamNeighbours(); // by the worker
   private final Map<ServiceID, String> faults = new HashMap<>(); // of proxies; by the worker
   private @Nullable RemoteEventListener stub; // by the worker
@@ -148,6 +150,11 @@ final class RegistrarMonitor implements AutoCloseable {
     return identity;
   }
 
+  /** Why it has ended, if the lookup service and this program do not accept each other. */
+  Optional<String> refusal() {
+    return Optional.ofNullable(refusal);
+  }
+
   /** Whether its contents were read completely once. */
   boolean isRead() {
     return read;
@@ -169,6 +176,7 @@ final class RegistrarMonitor implements AutoCloseable {
     boolean closed = worker.isClosed();
     if (failure != null && !closed) {
       LOG.info("Lookup service {} is out of reach: {}", identity, failure.toString());
+      refusal = ServerNotAcceptedException.reason(failure).orElse(null);
     }
     ReadPermits.SHARED.release(this);
     if (closed) {
