@@ -1,10 +1,11 @@
 package org.dfra.river.identity;
 
 import javax.security.auth.Subject;
+import org.dfra.river.access.CredentialPeer;
 import org.dfra.security.Caller;
 
 /** The authenticated process at the other end of an encrypted connection. Thread-safe. */
-public interface ChannelPeer {
+public interface ChannelPeer extends CredentialPeer {
 
   /** What is proved of it now: a revoked or expired certificate proves less than it did. */
   Caller caller();
@@ -13,8 +14,8 @@ public interface ChannelPeer {
   Subject subject();
 
   /**
-   * Whether the connection has to be closed: the peer's certificate was revoked, or, if it is the
-   * server, has expired.
+   * Whether the connection, and what the peer was granted, has to end: its certificate was revoked
+   * or, if it is the server, has expired; or the delegation with which it calls no longer counts.
    */
   boolean isRevoked();
 }

@@ -1,8 +1,11 @@
 package org.dfra.river.identity;
 
+import java.lang.reflect.Method;
+import java.util.Collection;
 import java.util.Set;
 import javax.security.auth.Subject;
 import org.dfra.security.Caller;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A peer that has not proved who it is.
@@ -28,4 +31,13 @@ public record StrangerPeer(Caller caller) implements ChannelPeer {
   public boolean isRevoked() {
     return false;
   }
+
+  @Override
+  public byte @Nullable [] credentialFor(Method method) {
+    return null;
+  }
+
+  /** Nobody acts for a member without being one. */
+  @Override
+  public void receive(byte[] credential, Collection<Object> context) {}
 }

@@ -1,6 +1,7 @@
 package org.dfra.river.identity;
 
 import java.io.IOException;
+import java.lang.reflect.Method;
 import java.net.InetAddress;
 import java.security.GeneralSecurityException;
 import java.security.Principal;
@@ -8,6 +9,7 @@ import java.security.PrivateKey;
 import java.security.PublicKey;
 import java.security.cert.X509Certificate;
 import java.time.Clock;
+import java.util.Collection;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -28,6 +30,7 @@ import net.jini.core.constraint.ServerAuthentication;
 import net.jini.core.constraint.ServerMinPrincipal;
 import org.dfra.river.access.NumericAddress;
 import org.dfra.river.access.OwnAddresses;
+import org.dfra.security.Behalf;
 import org.dfra.security.Caller;
 import org.dfra.security.Caller.Standing;
 import org.dfra.security.Guard;
@@ -58,6 +61,8 @@ public final class TeamIdentity implements ChannelIdentity {
   private final X509Certificate own;
   private final boolean isIssued; // by the authority; otherwise it is a robot's own key
   private final boolean believesExpired;
+  private final DelegationVerifier delegations;
+  private volatile OutgoingCredentials outgoing = (method, server) -> null;
 
   /**
    * The key of a member.
@@ -124,6 +129,7 @@ public final class TeamIdentity implements ChannelIdentity {
     this.revoked = settings.revoked();
     this.trust =
         new MemberTrust(settings.authority(), member.team(), ownKeys, settings.revoked(), clock);
+    this.delegations = new DelegationVerifier(member, trust, clock);
     this.context = SSLContext.getInstance("TLSv1.3");
     context.init(
         new KeyManager[] {new OwnKey(settings.key().key(), settings.key().chain())},
@@ -141,6 +147,11 @@ public final class TeamIdentity implements ChannelIdentity {
   /** Who it is. */
   public Member member() {
     return member;
+  }
+
+  /** Lets calls to other members carry credentials from now on. */
+  public void carry(OutgoingCredentials credentials) {
+    outgoing = credentials;
   }
 
   @Override
@@ -318,6 +329,37 @@ public final class TeamIdentity implements ChannelIdentity {
     @Override
     public boolean isRevoked() {
       return !isBelieved(standing(), isServer);
+    }
+
+    /** The own processes need nobody else's right. */
+    @Override
+    public byte @Nullable [] credentialFor(Method method) {
+      return isServer && standing() == Standing.MEMBER ? outgoing.of(method, who) : null;
+    }
+
+    @Override
+    public void receive(byte[] credential, Collection<Object> context) {
+      Caller alone = caller();
+      if (alone.standing() == Standing.STRANGER) {
+        return; // nobody acts for a member without being one
+      }
+      ChannelPeer peer = this;
+      Caller caller;
+      try {
+        Delegation delegation = delegations.signed(credential);
+        Optional<String> fault = delegations.fault(delegation, who, certificate);
+        if (fault.isEmpty()) {
+          peer = new DelegatedPeer(this, delegation, delegations);
+          caller = alone.onBehalfOf(Behalf.of(delegation.principal()));
+        } else {
+          caller = alone.onBehalfOf(Behalf.unproved(fault.get()));
+        }
+      } catch (IdentityException e) {
+        caller = alone.onBehalfOf(Behalf.unproved(String.valueOf(e.getMessage())));
+      }
+      context.removeIf(each -> each instanceof Caller || each == this);
+      context.add(caller);
+      context.add(peer);
     }
 
     @Override

@@ -19,12 +19,14 @@ import org.jspecify.annotations.Nullable;
  * @param members their names
  * @param sameRobot true: only the robot that the called object belongs to; false: only others; null
  *     for all
+ * @param behalf on whose behalf they call
  */
 record CallerCriteria(
     Set<Standing> standings,
     Set<MemberRole> roles,
     NamePattern members,
-    @Nullable Boolean sameRobot) {
+    @Nullable Boolean sameRobot,
+    BehalfCriteria behalf) {
 
   /** The standings of a rule that names none: a permit is for valid members, a denial for all. */
   static Set<Standing> defaultStandings(Effect effect) {
@@ -40,7 +42,7 @@ record CallerCriteria(
 
   /** Whether they name roles, members or robots, and not only what certificates prove. */
   boolean isNamed() {
-    return !roles.isEmpty() || !members.isAny() || sameRobot != null;
+    return !roles.isEmpty() || !members.isAny() || sameRobot != null || behalf.isNamed();
   }
 
   /**
@@ -64,6 +66,10 @@ record CallerCriteria(
           + member.map(Member::name).orElse("unknown")
           + ", not "
           + members;
+    }
+    @Nullable String other = behalf.mismatch(caller.behalf(), effect);
+    if (other != null) {
+      return other;
     }
     Truth expected = sameRobot == null ? Truth.HOLDS : isSame(member, robot, sameRobot);
     return expected.applies(effect)

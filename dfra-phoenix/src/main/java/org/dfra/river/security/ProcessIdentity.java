@@ -1,6 +1,7 @@
 package org.dfra.river.security;
 
 import java.io.IOException;
+import java.lang.reflect.Method;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
 import java.security.PublicKey;
@@ -24,6 +25,7 @@ import org.dfra.core.policy.PolicySignatureException;
 import org.dfra.core.policy.PolicyStore;
 import org.dfra.river.identity.RevokedCertificates;
 import org.dfra.river.identity.RobotAlone;
+import org.dfra.river.identity.StoredDelegations;
 import org.dfra.river.identity.TeamCredentials;
 import org.dfra.river.identity.TeamCredentials.RobotKey;
 import org.dfra.river.identity.TeamIdentity;
@@ -42,6 +44,7 @@ final class ProcessIdentity {
   private final PolicyGuard policy;
   private final ReplaceableGuard guard;
   private final X509Certificate authority;
+  private final @Nullable StoredDelegations delegations;
   private final boolean isClosed;
   private volatile @Nullable AuditTrail audit;
 
@@ -51,7 +54,9 @@ final class ProcessIdentity {
       PolicyGuard policy,
       ReplaceableGuard guard,
       X509Certificate authority,
+      @Nullable StoredDelegations delegations,
       boolean isClosed) {
+    this.delegations = delegations;
     this.isClosed = isClosed;
     this.identity = identity;
     this.revoked = revoked;
@@ -103,8 +108,28 @@ final class ProcessIdentity {
                 asked,
                 believesExpired),
             clock);
+    StoredDelegations delegations =
+        new StoredDelegations(
+            folder,
+            credentials,
+            method -> kind(method) == MethodKind.COMMAND,
+            clock);
+    delegations.reload();
+    if (mode == SecurityMode.SECURE) {
+      identity.carry(delegations);
+    }
     return new ProcessIdentity(
-        identity, revoked, guard, asked, credentials.authority(), mode == SecurityMode.CLOSED);
+        identity,
+        revoked,
+        guard,
+        asked,
+        credentials.authority(),
+        delegations,
+        mode == SecurityMode.CLOSED);
+  }
+
+  private static MethodKind kind(Method method) {
+    return MethodKinds.of(method.getDeclaringClass(), method).kind();
   }
 
   /**
@@ -130,7 +155,7 @@ final class ProcessIdentity {
                 asked,
                 false),
             clock);
-    return new ProcessIdentity(identity, revoked, guard, asked, robot.authority(), true);
+    return new ProcessIdentity(identity, revoked, guard, asked, robot.authority(), null, true);
   }
 
   /** The transport has it before the audit trail is there. */
@@ -163,7 +188,7 @@ final class ProcessIdentity {
         new AuditedGuard(
             policy,
             trail,
-            method -> MethodKinds.of(method.getDeclaringClass(), method).kind() == MethodKind.READ);
+            method -> kind(method) == MethodKind.READ);
   }
 
   /** Records an event, if there is an audit trail. */
@@ -171,6 +196,13 @@ final class ProcessIdentity {
     @Nullable AuditTrail trail = audit;
     if (trail != null) {
       trail.record(event);
+    }
+  }
+
+  /** Reads again what others have delegated to this member, if its files have changed. */
+  void reloadDelegations() {
+    if (delegations != null) {
+      delegations.reload();
     }
   }
 

@@ -20,8 +20,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Reads the policy and the list of revoked certificates again when their files have changed. A file
- * that cannot be used changes nothing: the last good one stays in force.
+ * Reads the policy, the list of revoked certificates and delegations again when their files have
+ * changed. A file that cannot be used changes nothing: the last good one stays in force.
  *
  * <p>Thread: one daemon, {@code dfra-security}, for the life of the process. It looks at the times
  * of two files twice a second, since a folder that is replaced as a whole cannot be watched.
@@ -74,6 +74,7 @@ final class SecurityWatch implements Runnable {
       try {
         lookAtRevoked();
         lookAtPolicy();
+        identity.reloadDelegations();
       } catch (RuntimeException e) { // the next change counts all the same
         LOG.error("A change of {} was not noticed.", folder, e);
       }
