@@ -10,7 +10,6 @@ import java.util.concurrent.Callable;
 import org.dfra.cli.team.PhoenixOptions.StateOption;
 import org.dfra.core.host.CommandName;
 import org.dfra.core.host.PrivateFiles;
-
 import org.dfra.report.terminal.CommandOutput;
 import org.dfra.report.terminal.ExitCode;
 import org.dfra.river.access.CallCredential;

@@ -15,7 +15,6 @@ import org.dfra.cli.team.PhoenixOptions.StateOption;
 import org.dfra.core.host.CommandName;
 import org.dfra.core.host.PrivateFiles;
 import org.dfra.report.terminal.CommandFailure;
-
 import org.dfra.report.terminal.CommandOutput;
 import org.dfra.report.terminal.ExitCode;
 import org.dfra.river.identity.Delegation;
@@ -111,7 +110,7 @@ final class DelegateCommand implements Callable<Integer> {
               now,
               now.plus(span()));
     } catch (IllegalArgumentException e) {
-      throw new CommandFailure(ExitCode.USAGE_ERROR, e.getMessage(), e);
+      throw new CommandFailure(ExitCode.USAGE_ERROR, String.valueOf(e.getMessage()), e);
     }
     Path file =
         out == null

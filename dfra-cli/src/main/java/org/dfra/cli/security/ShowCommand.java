@@ -77,10 +77,7 @@ final class ShowCommand implements Callable<Integer> {
       return authority(shown);
     } else if (Files.isDirectory(shown) || file == null) {
       return MemberView.of(
-          IdentityFolder.load(shown),
-          policy(shown),
-          StoredDelegations.list(shown),
-          Instant.now());
+          IdentityFolder.load(shown), policy(shown), StoredDelegations.list(shown), Instant.now());
     } else if (!Files.exists(shown)) {
       throw new IdentityException(
           "there is no file " + shown + "; name a bundle, a certificate or a folder");

@@ -5,7 +5,6 @@ import java.nio.charset.StandardCharsets;
 import java.security.GeneralSecurityException;
 import java.security.PrivateKey;
 import java.security.Signature;
-import java.security.cert.CertificateEncodingException;
 import java.security.cert.CertificateFactory;
 import java.security.cert.X509Certificate;
 import java.time.DateTimeException;
@@ -24,8 +23,8 @@ import org.dfra.security.MemberRole;
  * when. It is signed with the first one's key, and names the certificate of the other one, so it is
  * of no use to a third. Calls carry it as their {@link CallCredential}.
  *
- * <p>It is a text of at most {@value CallCredential#MAX_BYTES} bytes in ASCII, whose lines have this
- * order:
+ * <p>It is a text of at most {@value CallCredential#MAX_BYTES} bytes in ASCII, whose lines have
+ * this order:
  *
  * <pre>
  *   DFRA delegation 1
@@ -128,7 +127,8 @@ public record Delegation(
       Signature signer = Signature.getInstance(ALGORITHM);
       signer.initSign(key);
       signer.update(signed.getBytes(StandardCharsets.US_ASCII));
-      String text = signed + "signature: " + Base64.getEncoder().encodeToString(signer.sign()) + "\n";
+      String text =
+          signed + "signature: " + Base64.getEncoder().encodeToString(signer.sign()) + "\n";
       return parse(text.getBytes(StandardCharsets.US_ASCII), "the delegation");
     } catch (GeneralSecurityException e) {
       throw new IllegalArgumentException("the key of " + principal + " cannot sign: " + e, e);
@@ -166,8 +166,7 @@ public record Delegation(
       byte[] signature = Base64.getDecoder().decode(lines.value("signature"));
       lines.requireEnd();
       Delegation read =
-          new Delegation(
-              principal, bearer, fingerprint, robots, issued, until, certificate, text);
+          new Delegation(principal, bearer, fingerprint, robots, issued, until, certificate, text);
       read.requireForm();
       Signature verifier = Signature.getInstance(ALGORITHM);
       verifier.initVerify(certificate);
@@ -220,12 +219,15 @@ public record Delegation(
   private static X509Certificate certificate(String base64) throws GeneralSecurityException {
     byte[] bytes = Base64.getDecoder().decode(base64);
     return (X509Certificate)
-        CertificateFactory.getInstance("X.509").generateCertificate(new ByteArrayInputStream(bytes));
+        CertificateFactory.getInstance("X.509")
+            .generateCertificate(new ByteArrayInputStream(bytes));
   }
 
   /** The fingerprint of a certificate as delegations write it. */
   public static String fingerprint(X509Certificate certificate) {
-    return CertificateFingerprint.sha256(certificate).replace(":", "").toLowerCase(java.util.Locale.ROOT);
+    return CertificateFingerprint.sha256(certificate)
+        .replace(":", "")
+        .toLowerCase(java.util.Locale.ROOT);
   }
 
   /** What calls carry. */
@@ -264,7 +266,8 @@ public record Delegation(
     String value(String field) throws IdentityException {
       String line = next();
       if (!line.startsWith(field + ": ")) {
-        throw new IdentityException(name + " is no delegation: it has no \"" + field + "\" in its place");
+        throw new IdentityException(
+            name + " is no delegation: it has no \"" + field + "\" in its place");
       }
       return line.substring(field.length() + 2);
     }

@@ -21,8 +21,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The delegations in the folder of an identity, {@code *.delegation}. Commands to the robots that
- * they name carry them; nothing else does: reading, listening and stopping need no one else's right.
- * Thread-safe.
+ * they name carry them; nothing else does: reading, listening and stopping need no one else's
+ * right. Thread-safe.
  */
 public final class StoredDelegations implements OutgoingCredentials {
 

@@ -13,6 +13,7 @@ import java.nio.charset.StandardCharsets;
 import java.rmi.Remote;
 import java.rmi.RemoteException;
 import java.rmi.UnmarshalException;
+import java.rmi.server.ServerNotActiveException;
 import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
@@ -22,6 +23,7 @@ import java.util.Objects;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import net.jini.core.constraint.InvocationConstraints;
+import net.jini.export.ServerContext;
 import net.jini.id.Uuid;
 import net.jini.id.UuidFactory;
 import net.jini.jeri.BasicILFactory;
@@ -52,7 +54,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Calls that carry an operator's delegation: what the called object's guard learns of the caller. */
+/**
+ * Calls that carry an operator's delegation: what the called object's guard learns of the caller.
+ */
 @Timeout(60)
 class DelegatedCallsTest {
 
@@ -110,7 +114,11 @@ class DelegatedCallsTest {
 
   private Decision decide(AccessRequest request) {
     requests.add(request);
-    ChannelPeer.ofCurrentCall().ifPresent(peer::set);
+    try {
+      peer.set((ChannelPeer) ServerContext.getServerContextElement(ChannelPeer.class));
+    } catch (ServerNotActiveException e) {
+      throw new IllegalStateException(e);
+    }
     return Decision.permit("all");
   }
 

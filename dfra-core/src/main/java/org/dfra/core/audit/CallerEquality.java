@@ -22,9 +22,7 @@ final class CallerEquality {
 
   /** Hardly any call is on somebody's behalf. */
   private static boolean haveEqualBehalf(Caller one, Caller two) {
-    return one.behalf().isEmpty()
-        ? two.behalf().isEmpty()
-        : one.behalf().equals(two.behalf());
+    return one.behalf().isEmpty() ? two.behalf().isEmpty() : one.behalf().equals(two.behalf());
   }
 
   private static boolean areEqual(Optional<Member> one, Optional<Member> two) {

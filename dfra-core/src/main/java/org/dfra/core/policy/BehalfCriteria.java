@@ -35,7 +35,9 @@ record BehalfCriteria(Set<MemberRole> roles, NamePattern members) {
     if (!isNamed()) {
       return behalf.isEmpty() || effect == Effect.DENY
           ? null
-          : "the call is on behalf of " + behalf.get() + ", which only for-role or for-member permits";
+          : "the call is on behalf of "
+              + behalf.get()
+              + ", which only for-role or for-member permits";
     }
     Optional<Member> principal = behalf.flatMap(Behalf::principal);
     if (principal.isEmpty()) {

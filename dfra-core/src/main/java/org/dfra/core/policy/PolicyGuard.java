@@ -16,8 +16,8 @@ import org.jspecify.annotations.Nullable;
  * Decides about calls by a policy, which can be replaced while calls are made. A call is decided
  * entirely by one policy, the old one or the new one. Thread-safe; it waits for nothing.
  *
- * <p>A member of another team than the policy's counts as a stranger. A call on somebody's behalf is
- * decided twice, for the caller and for that member, and runs only if both are permitted.
+ * <p>A member of another team than the policy's counts as a stranger. A call on somebody's behalf
+ * is decided twice, for the caller and for that member, and runs only if both are permitted.
  */
 public final class PolicyGuard implements Guard {
 
@@ -94,8 +94,7 @@ public final class PolicyGuard implements Guard {
     if (!bearer.isPermitted()) {
       return bearer;
     }
-    Caller delegating =
-        new Caller(Caller.Standing.MEMBER, principal, request.caller().address());
+    Caller delegating = new Caller(Caller.Standing.MEMBER, principal, request.caller().address());
     Decision delegated = decide(now, request.by(delegating));
     return delegated.isPermitted()
         ? Decision.permit(bearer.rule() + ", " + delegated.rule())

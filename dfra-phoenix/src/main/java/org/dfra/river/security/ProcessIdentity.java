@@ -110,10 +110,7 @@ final class ProcessIdentity {
             clock);
     StoredDelegations delegations =
         new StoredDelegations(
-            folder,
-            credentials,
-            method -> kind(method) == MethodKind.COMMAND,
-            clock);
+            folder, credentials, method -> kind(method) == MethodKind.COMMAND, clock);
     delegations.reload();
     if (mode == SecurityMode.SECURE) {
       identity.carry(delegations);
@@ -184,11 +181,7 @@ final class ProcessIdentity {
   /** Records all further decisions and events. */
   void audit(AuditTrail trail) {
     audit = trail;
-    guard.guard =
-        new AuditedGuard(
-            policy,
-            trail,
-            method -> kind(method) == MethodKind.READ);
+    guard.guard = new AuditedGuard(policy, trail, method -> kind(method) == MethodKind.READ);
   }
 
   /** Records an event, if there is an audit trail. */
