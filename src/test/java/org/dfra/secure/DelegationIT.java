@@ -54,7 +54,7 @@ class DelegationIT {
   @Test
   void aRobotCommandsAnotherForAnOperatorUntilSheIsRevoked() throws Exception {
     Path file = folder.resolve("anna-for-atrv1.delegation");
-    String[] command = {"module", "call", "atrv2/drive", "acquireCommandLease", "1"};
+    String[] command = {"module", "call", "atrv2/route", "cancel"};
     try (Wheels wheels = new Wheels();
         SecureTeam team = new SecureTeam(folder)) {
       team.init();
@@ -62,10 +62,15 @@ class DelegationIT {
         team.admit("robot", each);
       }
       team.describe(
-          SECOND, TeamRobots.group("all", TeamRobots.registrar(), TeamRobots.drive(wheels.url())));
+          SECOND,
+          TeamRobots.group(
+              "all",
+              TeamRobots.registrar(),
+              TeamRobots.drive(wheels.url()),
+              TeamRobots.route()));
       ok(team.up(SECOND));
       assertRefused(
-          team.ask(FIRST, command), "acquireCommandLease of drive is refused to robot atrv1");
+          team.ask(FIRST, command), "cancel of route is refused to robot atrv1");
 
       Outcome made =
           ok(
