@@ -64,13 +64,9 @@ class DelegationIT {
       team.describe(
           SECOND,
           TeamRobots.group(
-              "all",
-              TeamRobots.registrar(),
-              TeamRobots.drive(wheels.url()),
-              TeamRobots.route()));
+              "all", TeamRobots.registrar(), TeamRobots.drive(wheels.url()), TeamRobots.route()));
       ok(team.up(SECOND));
-      assertRefused(
-          team.ask(FIRST, command), "cancel of route is refused to robot atrv1");
+      assertRefused(team.ask(FIRST, command), "cancel of route is refused to robot atrv1");
 
       Outcome made =
           ok(

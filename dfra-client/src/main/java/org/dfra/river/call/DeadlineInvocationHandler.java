@@ -29,6 +29,7 @@ import org.dfra.river.access.CallCredential;
 import org.dfra.river.access.CredentialPeer;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.filter.SerialLimits;
+import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.transport.AbortableEndpoint;
 import org.dfra.river.transport.CallInFlight;
 import org.dfra.river.transport.CallWatchdog;
@@ -128,7 +129,9 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
     }
     Object peer = peer();
     if (peer instanceof AbortableEndpoint endpoint) {
-      return invokeHere(endpoint, proxy, method, args);
+      // What the answer contains belongs to the same identity: robots may share a virtual machine.
+      return CurrentIdentity.callWith(
+          endpoint.identity(), () -> invokeHere(endpoint, proxy, method, args));
     }
     int held = UNRESPONSIVE.blockedThreads(peer);
     if (held >= UnresponsivePeers.MAX_BLOCKED_THREADS) {
