@@ -399,7 +399,12 @@ class RunVerbsTest {
     assertThat(dfra("dist", "--complete"))
         .isEqualTo("dfra-benchmarks.jar dfra-cli.jar dfra-core.jar dfra-flight.jar dl -complete\n");
     assertThat(dfra("dist", "--flight", "--complete"))
-        .isEqualTo("dfra: dist takes one option; usage: ./dfra dist [--flight|--complete]\n");
+        .isEqualTo(
+            "dfra: --flight and --complete exclude each other; usage: ./dfra dist [--flight|--complete]"
+                + " [--sign=FILE [--sign-passphrase-file=FILE]]\n");
+    assertThat(dfra("dist", "--sign=none.p12"))
+        .isEqualTo(
+            "dfra: there is no key store none.p12; make one with: ./dfra security issue code NAME\n");
     try (Stream<Path> left =
         Files.list(folder.resolve(with.equals("maven") ? "target" : "build"))) {
       assertThat(left.map(each -> each.getFileName().toString()))

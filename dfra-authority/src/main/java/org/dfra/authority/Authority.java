@@ -24,6 +24,7 @@ import org.dfra.cli.security.Bundle;
 import org.dfra.cli.security.BundledPolicy;
 import org.dfra.cli.security.OneTimePassphrase;
 import org.dfra.core.host.PrivateFiles;
+import org.dfra.core.policy.PolicyBundle;
 import org.dfra.river.identity.KeyEntry;
 import org.dfra.river.identity.SecurityFiles;
 import org.dfra.security.Member;
@@ -171,21 +172,30 @@ public final class Authority implements AutoCloseable {
     return new IssuedBundle(Bundle.of(files), passphrase, entry);
   }
 
+  private void addPolicy(Map<String, byte[]> files) throws IOException {
+    Optional<PolicyBundle> policy = policy();
+    if (policy.isPresent()) {
+      files.put(SecurityFiles.POLICY, policy.get().policy());
+      files.put(SecurityFiles.POLICY_SIGNATURE, policy.get().signature());
+    }
+  }
+
   /**
    * Signs the policy that is in the folder.
    *
+   * @return empty if there is none
    * @throws org.dfra.core.config.ConfigurationException if it has faults, or is of another team
    */
-  private void addPolicy(Map<String, byte[]> files) throws IOException {
+  public Optional<PolicyBundle> policy() throws IOException {
     Optional<byte[]> policy = folder.policy();
-    if (policy.isPresent()) {
-      Path file = folder.file(SecurityFiles.POLICY);
-      var unused = BundledPolicy.read(policy.get(), team(), file.toString());
-      byte[] signature = AuthoritySignatures.policySignature(key, policy.get());
-      PrivateFiles.write(folder.file(SecurityFiles.POLICY_SIGNATURE), signature);
-      files.put(SecurityFiles.POLICY, policy.get());
-      files.put(SecurityFiles.POLICY_SIGNATURE, signature);
+    if (policy.isEmpty()) {
+      return Optional.empty();
     }
+    Path file = folder.file(SecurityFiles.POLICY);
+    var unused = BundledPolicy.read(policy.get(), team(), file.toString());
+    byte[] signature = AuthoritySignatures.policySignature(key, policy.get());
+    PrivateFiles.write(folder.file(SecurityFiles.POLICY_SIGNATURE), signature);
+    return Optional.of(PolicyBundle.of(policy.get(), signature));
   }
 
   /** Issues a key that signs code, and does nothing else. */

@@ -11,7 +11,7 @@ import org.dfra.river.security.SecureProcess;
 /** The identity with which a command calls robots: that of its state folder. */
 final class CommandIdentity {
 
-  /** These call nobody, or start robots of their own, which are in no team. */
+  /** These verbs call nobody, or start robots of their own, which are in no team. */
   private static final Set<String> WITHOUT =
       Set.of(
           "security",
@@ -24,6 +24,9 @@ final class CommandIdentity {
           "fuzzy",
           "completion",
           "help");
+
+  /** Those of {@code security} that call robots. */
+  private static final Set<String> SECURITY_WITH = Set.of("publish", "revoke");
 
   /** Stopping is safe: it also goes to robots whose certificate has expired. */
   private static final String STOP = "stop";
@@ -40,13 +43,18 @@ final class CommandIdentity {
    * @throws IllegalStateException if there is one that cannot be used
    */
   static void install(String[] args, Consumer<String> warning) {
-    if (args.length > 0 && !args[0].startsWith("-") && !WITHOUT.contains(args[0])) {
+    if (args.length > 0 && !args[0].startsWith("-") && callsRobots(args)) {
       SecureProcess.Installed own =
           SecureProcess.install(SecureProcess.folder(state(List.of(args))), args[0].equals(STOP));
       if (own.mode() == SecurityMode.CLOSED) {
         warning.accept(own.fault());
       }
     }
+  }
+
+  private static boolean callsRobots(String[] args) {
+    return !WITHOUT.contains(args[0])
+        || (args[0].equals("security") && args.length > 1 && SECURITY_WITH.contains(args[1]));
   }
 
   private static Path state(List<String> args) {

@@ -29,17 +29,18 @@ final class ProvidedCommands {
   private static final Map<String, String> MODULES =
       Collections.unmodifiableMap(
           new TreeMap<>(
-              Map.of(
-                  "security init", "dfra-authority",
-                  "security issue", "dfra-authority",
-                  "security list", "dfra-authority",
-                  "security renew", "dfra-authority",
-                  "security revoke", "dfra-authority",
-                  "fuzzy", "dfra-examples",
-                  "demo", "dfra-examples",
-                  "sim", "dfra-examples",
-                  "recruit experiment", "dfra-experiments",
-                  "bench", "dfra-benchmarks")));
+              Map.ofEntries(
+                  Map.entry("security init", "dfra-authority"),
+                  Map.entry("security issue", "dfra-authority"),
+                  Map.entry("security list", "dfra-authority"),
+                  Map.entry("security publish", "dfra-authority"),
+                  Map.entry("security renew", "dfra-authority"),
+                  Map.entry("security revoke", "dfra-authority"),
+                  Map.entry("fuzzy", "dfra-examples"),
+                  Map.entry("demo", "dfra-examples"),
+                  Map.entry("sim", "dfra-examples"),
+                  Map.entry("recruit experiment", "dfra-experiments"),
+                  Map.entry("bench", "dfra-benchmarks"))));
 
   /** A line of a resource. */
   private record Entry(URL resource, String className) {}

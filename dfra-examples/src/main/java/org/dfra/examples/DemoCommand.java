@@ -16,6 +16,7 @@ import org.dfra.examples.persona.PersonaDemo;
 import org.dfra.examples.raster.RasterDemo;
 import org.dfra.examples.raster.RasterOptions;
 import org.dfra.examples.recruit.RecruitDemo;
+import org.dfra.examples.security.SecurityDemo;
 import org.dfra.report.measurement.RecordOption;
 import org.dfra.report.progress.ProgressReporter;
 import org.dfra.report.terminal.ExitCode;
@@ -45,6 +46,7 @@ import picocli.CommandLine.Spec;
       "  recruit      robots call for help and help each other; writes a report",
       "  devices      one robot in a simulated world with all its devices; writes a report",
       "  persona      two robots: modules found by what they can do, also after failures",
+      "  security     two robots search: operators, an observer, a stranger, rogues, a policy",
       "  foundation   a GPS receiver found by what it can do, and restarted after kill -9"
     })
 final class DemoCommand implements Callable<Integer> {
@@ -58,6 +60,7 @@ final class DemoCommand implements Callable<Integer> {
     demos.put("recruit", (progress, folder) -> RecruitDemo.of(progress, raster.speed(), folder));
     demos.put("devices", DevicesDemo::new);
     demos.put("persona", (progress, report) -> new PersonaDemo(progress));
+    demos.put("security", (progress, report) -> new SecurityDemo(progress));
     demos.put("foundation", (progress, report) -> new FoundationDemo(progress));
   }
 

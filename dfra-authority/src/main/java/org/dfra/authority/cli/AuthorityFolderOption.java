@@ -1,9 +1,7 @@
 package org.dfra.authority.cli;
 
 import java.nio.file.Path;
-import org.dfra.cli.team.PhoenixOptions.StateOption;
 import org.jspecify.annotations.Nullable;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** Where the authority is. A picocli mix-in. */
@@ -15,17 +13,8 @@ final class AuthorityFolderOption {
       description = "Folder of the authority (default: authority in the state folder).")
   private @Nullable Path folder;
 
-  @Mixin
-  @SuppressWarnings("NullAway.Init") // set by picocli before the call
-  private StateOption state;
-
-  /** The authority's folder. */
-  Path folder() {
-    return folder == null ? state.folder().resolve("authority") : folder.toAbsolutePath();
-  }
-
-  /** The state folder. */
-  Path state() {
-    return state.folder();
+  /** The authority's folder, for a state folder. */
+  Path in(Path state) {
+    return folder == null ? state.resolve("authority") : folder.toAbsolutePath();
   }
 }

@@ -25,20 +25,15 @@ final class AuthorityOptions {
   @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private AuthorityFolderOption place;
 
-  /** The authority's folder. */
-  Path folder() {
-    return place.folder();
-  }
-
-  /** The state folder. */
-  Path state() {
-    return place.state();
+  /** The authority's folder, for a state folder. */
+  Path folder(Path state) {
+    return place.in(state);
   }
 
   /** Opens it. */
-  Authority open() throws IOException {
+  Authority open(Path state) throws IOException {
     return Authority.open(
-        folder(),
+        folder(state),
         () -> PassphraseSource.read(passphraseFile, "passphrase of the authority", PASSPHRASE_FILE),
         Clock.systemUTC());
   }

@@ -15,6 +15,7 @@ import org.dfra.cli.security.IdentityInstaller;
 import org.dfra.cli.security.OneTimePassphrase;
 import org.dfra.cli.security.PassphraseSource;
 import org.dfra.cli.security.VerifiedBundle;
+import org.dfra.cli.team.PhoenixOptions.StateOption;
 import org.dfra.core.host.PrivateFiles;
 import org.dfra.report.terminal.CommandOutput;
 import org.dfra.report.terminal.ExitCode;
@@ -72,6 +73,10 @@ final class InitCommand implements Callable<Integer> {
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // set by picocli before the call
+  private StateOption state;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandOutput answer;
 
   @Spec
@@ -84,9 +89,9 @@ final class InitCommand implements Callable<Integer> {
   @Override
   public Integer call() throws Exception {
     requireArguments();
-    Path folder = place.folder();
-    PrivateFiles.requireFolder(place.state());
-    IdentityInstaller installer = new IdentityInstaller(place.state());
+    Path folder = place.in(state.folder());
+    PrivateFiles.requireFolder(state.folder());
+    IdentityInstaller installer = new IdentityInstaller(state.folder());
     boolean wasJoined = IdentityFolder.isJoined(installer.folder());
     String passphrase = passphrase();
     Authority.create(folder, team, passphrase, isStored, Clock.systemUTC());

@@ -2,6 +2,7 @@ package org.dfra.authority.cli;
 
 import java.util.concurrent.Callable;
 import org.dfra.authority.Authority;
+import org.dfra.cli.team.PhoenixOptions.StateOption;
 import org.dfra.report.terminal.ExitCode;
 import org.dfra.security.Member;
 import picocli.CommandLine.Command;
@@ -41,10 +42,14 @@ final class IssueCommand implements Callable<Integer> {
   @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private AuthorityOptions authorities;
 
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
+  private StateOption state;
+
   @Override
   public Integer call() throws Exception {
     options.requireName(name);
-    try (Authority authority = authorities.open()) {
+    try (Authority authority = authorities.open(state.folder())) {
       options.issue(authority, role.text(), name);
     }
     return ExitCode.SUCCESS;

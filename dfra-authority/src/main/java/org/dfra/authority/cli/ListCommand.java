@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import org.dfra.authority.Authority;
 import org.dfra.authority.IssuedCertificate;
+import org.dfra.cli.team.PhoenixOptions.StateOption;
 import org.dfra.report.terminal.CommandOutput;
 import org.dfra.report.terminal.ExitCode;
 import org.dfra.report.terminal.Table;
@@ -21,11 +22,15 @@ final class ListCommand implements Callable<Integer> {
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // set by picocli before the call
+  private StateOption state;
+
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandOutput answer;
 
   @Override
   public Integer call() throws Exception {
-    List<IssuedCertificate> all = Authority.issued(place.folder());
+    List<IssuedCertificate> all = Authority.issued(place.in(state.folder()));
     Instant now = Instant.now();
     Table table = new Table("MEMBER", "STATE", "UNTIL", "SERIAL", "WHY");
     for (IssuedCertificate each : all) {

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import org.dfra.authority.Authority;
 import org.dfra.authority.IssuedCertificate;
+import org.dfra.cli.team.PhoenixOptions.StateOption;
 import org.dfra.core.host.CommandName;
 import org.dfra.report.terminal.CommandFailure;
 import org.dfra.report.terminal.ExitCode;
@@ -33,9 +34,13 @@ final class RenewCommand implements Callable<Integer> {
   @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private AuthorityOptions authorities;
 
+  @Mixin
+  @SuppressWarnings("NullAway.Init") // set by picocli before the call
+  private StateOption state;
+
   @Override
   public Integer call() throws Exception {
-    try (Authority authority = authorities.open()) {
+    try (Authority authority = authorities.open(state.folder())) {
       List<IssuedCertificate> all = authority.issued();
       String role = member.role(all);
       boolean isRevoked =

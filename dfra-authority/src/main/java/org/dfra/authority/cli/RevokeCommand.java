@@ -1,21 +1,17 @@
 package org.dfra.authority.cli;
 
-import java.io.IOException;
 import java.math.BigInteger;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.dfra.authority.Authority;
 import org.dfra.authority.IssuedCertificate;
-import org.dfra.core.host.PrivateFiles;
-import org.dfra.report.terminal.CommandOutput;
+import org.dfra.authority.cli.Publication.RobotView;
+import org.dfra.cli.team.TeamOptions;
 import org.dfra.report.terminal.ExitCode;
-import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.SecurityFiles;
-import org.dfra.river.identity.TeamCertificates;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -30,7 +26,9 @@ import picocli.CommandLine.Spec;
     footer = {
       "",
       "Writes the next list of revoked certificates: revoked.crl in the folder of the authority,",
-      "and in this computer's identity if it is of the same team. Later bundles contain it.",
+      "and in this computer's identity if it is of the same team. Every robot that is found gets",
+      "it at once, others from the next member that has it. Later bundles contain it.",
+      "Exits with 1 if a robot that was found does not have it in force.",
       "A revoked member can be admitted again by a new certificate."
     })
 final class RevokeCommand implements Callable<Integer> {
@@ -53,14 +51,15 @@ final class RevokeCommand implements Callable<Integer> {
 
   @Mixin
   @SuppressWarnings("NullAway.Init") // set by picocli before the call
-  private CommandOutput answer;
+  private TeamOptions team;
 
   @Spec
   @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private CommandSpec spec;
 
   /** What is printed. */
-  private record RevokeView(List<IssuedCertificate> revoked, BigInteger list, String file) {}
+  private record RevokeView(
+      List<IssuedCertificate> revoked, BigInteger list, String file, List<RobotView> robots) {}
 
   @Override
   public Integer call() throws Exception {
@@ -69,12 +68,13 @@ final class RevokeCommand implements Callable<Integer> {
           spec.commandLine(),
           "--reason has " + reason.length() + " characters, at most " + MAX_REASON + " are kept");
     }
-    try (Authority authority = authorities.open()) {
+    try (Publication publication = Publication.begin(team);
+        Authority authority = authorities.open(team.state())) {
       String role = member.role(authority.issued());
       List<IssuedCertificate> revoked =
           authority.revoke(
               each -> each.name().equals(member.name()) && each.role().equals(role), reason);
-      Path file = authorities.folder().resolve(SecurityFiles.REVOKED);
+      Path file = authorities.folder(team.state()).resolve(SecurityFiles.REVOKED);
       List<String> lines = new ArrayList<>();
       lines.add(
           revoked.isEmpty()
@@ -87,30 +87,19 @@ final class RevokeCommand implements Callable<Integer> {
                   + revoked.size()
                   + (revoked.size() == 1 ? " certificate." : " certificates."));
       lines.add("List " + authority.revocationNumber() + " is " + file + ".");
-      if (updateOwnIdentity(authority)) {
+      Optional<OwnIdentity> own = OwnIdentity.in(team.state(), authority);
+      List<RobotView> robots = List.of();
+      if (own.isPresent()) {
+        own.get().takeRevocations();
         lines.add("This computer's identity has it too.");
+        robots = publication.run();
       }
-      answer.lines(new RevokeView(revoked, authority.revocationNumber(), file.toString()), lines);
+      lines.addAll(Publication.sentences(own.isPresent() && publication.isPossible(), robots));
+      team.answer()
+          .lines(
+              new RevokeView(revoked, authority.revocationNumber(), file.toString(), robots),
+              lines);
+      return robots.stream().allMatch(RobotView::isInForce) ? ExitCode.SUCCESS : ExitCode.FAILED;
     }
-    return ExitCode.SUCCESS;
-  }
-
-  /** Gives the list to the identity of this computer. */
-  private boolean updateOwnIdentity(Authority authority) throws IOException, IdentityException {
-    Path own = authorities.state().resolve(SecurityFiles.FOLDER);
-    Path certificate = own.resolve(SecurityFiles.AUTHORITY);
-    if (!Files.exists(certificate)) {
-      return false;
-    }
-    boolean isSameTeam =
-        TeamCertificates.authority(Files.readAllBytes(certificate), certificate.toString())
-            .equals(authority.certificate());
-    Path list = own.resolve(SecurityFiles.REVOKED);
-    boolean isNew =
-        !Files.exists(list) || !Arrays.equals(Files.readAllBytes(list), authority.revocations());
-    if (isSameTeam && isNew) {
-      PrivateFiles.write(list, authority.revocations());
-    }
-    return isSameTeam;
   }
 }

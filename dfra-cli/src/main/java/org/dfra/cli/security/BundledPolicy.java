@@ -16,7 +16,7 @@ public final class BundledPolicy {
   private BundledPolicy() {}
 
   /** The interfaces that a policy may name: also those of classes in DFRA_CLASSPATH. */
-  static InterfaceCatalogue catalogue() {
+  public static InterfaceCatalogue catalogue() {
     return InterfaceCatalogue.builtIn().withInterfacesOf(BundledPolicy.class.getClassLoader());
   }
 

@@ -67,6 +67,16 @@ public final class TeamDirectory implements AutoCloseable {
     return directory;
   }
 
+  /**
+   * Notifies a listener of modules that match, also of those that were found before.
+   *
+   * @return ends it when it is closed
+   */
+  public <M extends Module> DirectoryRegistration listen(
+      ModuleQuery<M> query, DirectoryListener<M> listener) {
+    return directory.listen(query, listener);
+  }
+
   /** The remaining time until the command's deadline; never negative. */
   private Duration remainingTime() {
     return Duration.ofNanos(Math.max(0, end - System.nanoTime()));

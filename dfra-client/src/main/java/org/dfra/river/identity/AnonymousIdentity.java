@@ -1,5 +1,6 @@
 package org.dfra.river.identity;
 
+import java.math.BigInteger;
 import java.security.GeneralSecurityException;
 import java.security.cert.X509Certificate;
 import javax.net.ssl.SSLContext;
@@ -76,6 +77,11 @@ public final class AnonymousIdentity implements ChannelIdentity {
   @Override
   public InvocationConstraints requiredOfRobot(String name) {
     return InvocationConstraints.EMPTY;
+  }
+
+  @Override
+  public boolean isRevoked(BigInteger certificate) {
+    return false;
   }
 
   /** Without an authority there is no such list. */

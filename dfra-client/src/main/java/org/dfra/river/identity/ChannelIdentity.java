@@ -1,6 +1,7 @@
 package org.dfra.river.identity;
 
 import java.io.IOException;
+import java.math.BigInteger;
 import javax.net.ssl.SSLEngine;
 import javax.net.ssl.SSLSession;
 import javax.security.auth.Subject;
@@ -46,6 +47,9 @@ public interface ChannelIdentity {
    * @param name of the robot, in the own team; no constraints if there is none
    */
   InvocationConstraints requiredOfRobot(String name);
+
+  /** Whether the team's authority has revoked the certificate of this number. */
+  boolean isRevoked(BigInteger certificate);
 
   /**
    * Calls back after each new list of revoked certificates, until the listener is removed. Then

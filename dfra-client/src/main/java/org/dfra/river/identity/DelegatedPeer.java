@@ -1,7 +1,10 @@
 package org.dfra.river.identity;
 
 import java.lang.reflect.Method;
+import java.math.BigInteger;
 import java.util.Collection;
+import java.util.List;
+import java.util.stream.Stream;
 import javax.security.auth.Subject;
 import org.dfra.security.Behalf;
 import org.dfra.security.Caller;
@@ -42,6 +45,14 @@ final class DelegatedPeer implements ChannelPeer {
   @Override
   public Subject subject() {
     return bearer.subject();
+  }
+
+  @Override
+  public List<BigInteger> certificateNumbers() {
+    return Stream.concat(
+            bearer.certificateNumbers().stream(),
+            Stream.of(delegation.certificate().getSerialNumber()))
+        .toList();
   }
 
   @Override

@@ -35,7 +35,12 @@ public final class RevokedCertificates {
 
   /** Whether a certificate is revoked. */
   public boolean contains(X509Certificate certificate) {
-    return known.serials().contains(certificate.getSerialNumber());
+    return contains(certificate.getSerialNumber());
+  }
+
+  /** Whether the certificate of this number is revoked. */
+  public boolean contains(BigInteger certificate) {
+    return known.serials().contains(certificate);
   }
 
   /** Number of the list; 0 before the first. */

@@ -1,7 +1,9 @@
 package org.dfra.river.identity;
 
 import java.lang.reflect.Method;
+import java.math.BigInteger;
 import java.util.Collection;
+import java.util.List;
 import java.util.Set;
 import javax.security.auth.Subject;
 import org.dfra.security.Caller;
@@ -25,6 +27,11 @@ public record StrangerPeer(Caller caller) implements ChannelPeer {
   @Override
   public Subject subject() {
     return NOBODY;
+  }
+
+  @Override
+  public List<BigInteger> certificateNumbers() {
+    return List.of();
   }
 
   @Override

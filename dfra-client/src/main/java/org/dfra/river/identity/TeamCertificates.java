@@ -27,6 +27,7 @@ public final class TeamCertificates {
   private static final String AGAIN = "; join the team again: security join NAME.bundle";
   private static final String SERVER = "1.3.6.1.5.5.7.3.1"; // RFC 5280, 4.2.1.12
   private static final String CLIENT = "1.3.6.1.5.5.7.3.2";
+  private static final String CODE = "1.3.6.1.5.5.7.3.3";
   private static final int DIGITAL_SIGNATURE = 0; // bits of RFC 5280, 4.2.1.3
   private static final int KEY_CERT_SIGN = 5;
   private static final int CRL_SIGN = 6;
@@ -92,6 +93,26 @@ public final class TeamCertificates {
       return Member.of(certificate.getSubjectX500Principal());
     } catch (IllegalArgumentException e) {
       throw new IdentityException("the certificate in " + file + ": " + e.getMessage() + AGAIN, e);
+    }
+  }
+
+  /**
+   * Whether the authority lets a key sign code, whatever the clock says: its certificate is for
+   * code alone. Certificates of members are not.
+   *
+   * @param chain the certificate of the key, and maybe the authority's
+   */
+  public static boolean isForCode(List<X509Certificate> chain, X509Certificate authority) {
+    X509Certificate certificate = chain.get(0);
+    try {
+      requireIssuedBy(authority, chain, "a signature");
+      boolean[] usage = certificate.getKeyUsage();
+      return usage != null
+          && usage[DIGITAL_SIGNATURE]
+          && certificate.getBasicConstraints() < 0
+          && List.of(CODE).equals(certificate.getExtendedKeyUsage());
+    } catch (IdentityException | CertificateException e) { // of somebody else, or not readable
+      return false;
     }
   }
 

@@ -2,6 +2,7 @@ package org.dfra.river.identity;
 
 import java.io.IOException;
 import java.lang.reflect.Method;
+import java.math.BigInteger;
 import java.net.InetAddress;
 import java.security.GeneralSecurityException;
 import java.security.Principal;
@@ -249,6 +250,11 @@ public final class TeamIdentity implements ChannelIdentity {
   }
 
   @Override
+  public boolean isRevoked(BigInteger certificate) {
+    return revoked.contains(certificate);
+  }
+
+  @Override
   public void addRevocationListener(Runnable listener) {
     revoked.addListener(listener);
   }
@@ -324,6 +330,13 @@ public final class TeamIdentity implements ChannelIdentity {
     private boolean isOwnHere() {
       return (isLocal || !TeamIdentity.this.isRevoked(certificate))
           && (isThisComputer || (certificate.equals(own) && isIssued));
+    }
+
+    @Override
+    public List<BigInteger> certificateNumbers() {
+      boolean isOwnWork =
+          isThisComputer && (trust.standing(certificate) == Standing.OWN || who.equals(member));
+      return isOwnWork ? List.of() : List.of(certificate.getSerialNumber());
     }
 
     @Override

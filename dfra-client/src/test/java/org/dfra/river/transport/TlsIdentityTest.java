@@ -12,6 +12,7 @@ import java.io.InputStream;
 import java.io.ObjectInputStream;
 import java.io.ObjectOutputStream;
 import java.io.OutputStream;
+import java.math.BigInteger;
 import java.net.InetAddress;
 import java.time.Clock;
 import java.time.Duration;
@@ -220,6 +221,11 @@ class TlsIdentityTest {
     @Override
     public InvocationConstraints requiredOfRobot(String name) {
       return identity.requiredOfRobot(name);
+    }
+
+    @Override
+    public boolean isRevoked(BigInteger certificate) {
+      return identity.isRevoked(certificate);
     }
 
     @Override

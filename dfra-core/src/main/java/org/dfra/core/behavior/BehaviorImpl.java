@@ -49,7 +49,7 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   private final DriveInterlock interlock;
   private final BehaviorStatusTracker status;
 
-  /** Used under the lock of {@link #status}. */
+  /** Used under the lock of {@link #status}, except for the requester. */
   private final LastGoalStore memory;
 
   private final GoalExecutor executor;
@@ -164,6 +164,7 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
     super.onStart();
     try {
       memory.load(clock()).ifPresent(status::restore);
+      memory.loadRequester();
     } catch (IOException e) {
       log.warn("{}: it does not know what became of its last goal: {}", path(), e.toString());
       recordException(e);
@@ -242,6 +243,38 @@ public abstract class BehaviorImpl<G extends Goal> extends SchemaImpl implements
   @Override
   public final void pause() {
     executor.stop(Phase.PAUSED, "a client paused it", null, RequestedBy.OPERATOR);
+  }
+
+  /**
+   * Pauses the goal as an operator would, since the one who gave it may no longer.
+   *
+   * @param why in words, for the status
+   */
+  public final void pauseBecause(String why) {
+    executor.stop(Phase.PAUSED, why, null, RequestedBy.OPERATOR);
+  }
+
+  /**
+   * Who has given or resumed the last goal, also to an earlier process: what the module's server
+   * has {@linkplain #storeRequester stored}; empty if nothing.
+   */
+  public final String requester() {
+    return memory.requester();
+  }
+
+  /**
+   * Stores who gives or resumes a goal, before it is executed. Without its file the next process
+   * does not know; then it is logged.
+   *
+   * @param requester as the module's server writes it; empty for nobody who has to be known
+   */
+  public final void storeRequester(String requester) {
+    try {
+      memory.storeRequester(requester);
+    } catch (IOException e) {
+      log.warn("{}: the next process would not know who gave this goal: {}", path(), e.toString());
+      recordException(e);
+    }
   }
 
   @Override

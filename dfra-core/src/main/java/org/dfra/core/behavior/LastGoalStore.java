@@ -19,15 +19,17 @@ import org.jspecify.annotations.Nullable;
  * one. This fails if the process dies in the milliseconds between the stop and the write; then the
  * caller that stopped the goal gets no answer.
  *
- * <p>Not thread-safe.
+ * <p>Not thread-safe, except for the requester.
  */
 final class LastGoalStore {
 
   private static final String DOCUMENT = "last-goal";
+  private static final String REQUESTER = "goal-requester";
   private static final String NOT_HELD = "-";
 
   private final StateStore state;
   private @Nullable BehaviorStatus kept;
+  private volatile String requester = "";
 
   LastGoalStore(StateStore state) {
     this.state = state;
@@ -81,6 +83,33 @@ final class LastGoalStore {
               clock.instant(), UUID.fromString(lines[0]), Phase.valueOf(lines[1]), held, lines[3]));
     } catch (IllegalArgumentException | DateTimeParseException e) {
       throw new IOException("the goal of the earlier process cannot be read: " + e, e);
+    }
+  }
+
+  /**
+   * Reads who gave the earlier process its goal.
+   *
+   * @throws IOException if it cannot be read
+   */
+  void loadRequester() throws IOException {
+    requester =
+        state.read(REQUESTER).map(bytes -> new String(bytes, StandardCharsets.UTF_8)).orElse("");
+  }
+
+  /** Who gave the last goal; any thread may ask. */
+  String requester() {
+    return requester;
+  }
+
+  /**
+   * Stores who gives a goal; by one thread at a time.
+   *
+   * @throws IOException if it cannot be written; this process knows it nevertheless
+   */
+  void storeRequester(String next) throws IOException {
+    if (!next.equals(requester)) {
+      requester = next;
+      state.write(REQUESTER, next.getBytes(StandardCharsets.UTF_8));
     }
   }
 

@@ -20,7 +20,7 @@ import org.dfra.report.terminal.Table;
  * Reports the progress of a search: on a terminal as a block that is redrawn every second,
  * elsewhere as a sentence every ten seconds. Confined to the thread that runs the search.
  */
-final class LiveProgress implements MissionProgressListener {
+public final class LiveProgress implements MissionProgressListener {
 
   private static final long REDRAW = TimeUnit.SECONDS.toNanos(1);
   private static final long SENTENCE = TimeUnit.SECONDS.toNanos(10);
@@ -37,7 +37,7 @@ final class LiveProgress implements MissionProgressListener {
   /**
    * @param nanos a monotonic real-time clock with any origin
    */
-  LiveProgress(ProgressReporter progress, LongSupplier nanos, Scenario scenario) {
+  public LiveProgress(ProgressReporter progress, LongSupplier nanos, Scenario scenario) {
     this.progress = progress;
     this.nanos = nanos;
     this.scenario = scenario;

@@ -36,11 +36,11 @@ import org.dfra.sim.world.shape.PlanarShape.Vertex;
  * @param simulationSpeed speed of the robots' clock
  * @param longest timeout of the search, robots' clock
  */
-record RasterSetup(
+public record RasterSetup(
     Scenario scenario, Path world, Mode mode, SimulationSpeed simulationSpeed, Duration longest) {
 
   /** Modes of running a search. */
-  enum Mode {
+  public enum Mode {
     /** In processes under phoenix. */
     PROCESSES,
     /** In one JVM, with lookup services. */
@@ -58,6 +58,17 @@ record RasterSetup(
 
   /** Metres per second, a quarter of an unobstructed robot's speed. */
   private static final double SLOWEST = 0.15;
+
+  /**
+   * The search of the middle of the standard field, in processes, for another demonstration.
+   *
+   * @param speed seconds of the robots' clock per second
+   */
+  public static RasterSetup inProcesses(double speed) {
+    RasterOptions options = new RasterOptions();
+    options.speed = speed;
+    return of(options);
+  }
 
   /**
    * The setup for these options.

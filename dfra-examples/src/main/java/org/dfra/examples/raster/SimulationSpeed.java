@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * @param speed seconds of the robots' clock per second
  * @param slowdownReason why it is slower than usual, a sentence; empty if it is not
  */
-record SimulationSpeed(double speed, Optional<String> slowdownReason) {
+public record SimulationSpeed(double speed, Optional<String> slowdownReason) {
 
   /** Default in one JVM. */
   static final String DEFAULT_IN_ONE_JVM = "5";

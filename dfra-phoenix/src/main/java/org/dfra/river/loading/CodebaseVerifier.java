@@ -21,16 +21,12 @@ final class CodebaseVerifier {
   }
 
   /**
-   * Whether a jar is trusted by its digest alone, in this thread now.
+   * Whether a jar is trusted by its digest alone.
    *
    * @return the reason, in words; null if the jar needs a trusted signature
    */
   @Nullable String digestTrustReason(CodebaseUrl url) {
-    if (trust.pinned().contains(url.digest())) {
-      return "its digest is pinned";
-    }
-    String authenticator = AuthenticatedDigests.authenticator(url.digest());
-    return authenticator == null ? null : authenticator + " confirms its digest";
+    return trust.pinned().contains(url.digest()) ? "its digest is pinned" : null;
   }
 
   /**
@@ -42,13 +38,14 @@ final class CodebaseVerifier {
    */
   List<VerifiedJar> fetch(List<CodebaseUrl> urls, List<@Nullable String> byDigest)
       throws IOException {
+    @Nullable TeamSigners team = TrustedCode.team();
     for (int i = 0; i < urls.size(); i++) {
-      if (byDigest.get(i) == null && trust.signers().isEmpty()) {
+      if (byDigest.get(i) == null && trust.signers().isEmpty() && team == null) {
         throw new CodeRefusedException(
             "codebase "
                 + urls.get(i).text()
-                + " refused: its digest is not pinned, no authenticated peer confirms it, and no"
-                + " key is trusted to sign code; name one in the trust file (-D"
+                + " refused: its digest is not pinned, and no key is trusted to sign code; name one"
+                + " in the trust file (-D"
                 + CodeTrust.PROPERTY
                 + "), or pin the digest");
       }
@@ -59,7 +56,7 @@ final class CodebaseVerifier {
       VerifiedJar jar = VerifiedJar.read(url, download.fetch(url), trust.limits());
       String why = byDigest.get(i);
       if (why == null) {
-        jar.requireSigned(url, trust.signers());
+        jar.requireSigned(url, trust.signers(), team);
         why = "it is signed by a trusted key";
       }
       LOG.info("Loading code from {}: {}.", url.text(), why);

@@ -37,6 +37,7 @@ public final class TrustedCode {
   private static final String CODEBASE = "java.rmi.server.codebase";
 
   private static volatile boolean inPlace;
+  private static volatile @Nullable TeamSigners team;
   private static volatile Map<String, String> kinds = Map.of();
 
   @GuardedBy("TrustedCode.class")
@@ -89,6 +90,20 @@ public final class TrustedCode {
     loaders = new VerifiedLoaderCache(new CodebaseVerifier(trust), System::nanoTime);
     RMIClassLoader.getClassAnnotation(TrustedCode.class); // makes the JDK create the provider now
     return inPlace;
+  }
+
+  /**
+   * From now on, jars are trusted too that are signed by a key of the team of this computer.
+   *
+   * @param signers the keys of its authority
+   */
+  public static void trustTeam(TeamSigners signers) {
+    team = signers;
+  }
+
+  /** The keys of the team of this computer; null if it has joined none. */
+  static @Nullable TeamSigners team() {
+    return team;
   }
 
   /**

@@ -6,8 +6,10 @@ import java.security.CodeSigner;
 import java.security.cert.CertificateException;
 import java.security.cert.X509Certificate;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.jar.JarEntry;
 import java.util.jar.JarInputStream;
@@ -81,9 +83,11 @@ final class VerifiedJar {
   /**
    * Requires that every entry is signed by one of these keys.
    *
+   * @param trusted certificates of the trust file
+   * @param team the keys of the team of this computer; null if it has joined none
    * @throws CodeRefusedException naming an entry that is not
    */
-  void requireSigned(CodebaseUrl url, Set<X509Certificate> trusted) {
+  void requireSigned(CodebaseUrl url, Set<X509Certificate> trusted, @Nullable TeamSigners team) {
     boolean signedAtAll = contents.values().stream().anyMatch(content -> content.signers() != null);
     if (!signedAtAll) {
       throw refused(
@@ -91,42 +95,63 @@ final class VerifiedJar {
           "the jar is not signed, and its digest alone says nothing of who made it; sign it with a"
               + " trusted key, or pin its digest");
     }
-    contents.forEach((name, content) -> requireSigned(url, name, content.signers(), trusted));
+    contents.forEach((name, content) -> requireSigned(url, name, content.signers(), trusted, team));
   }
 
   private static void requireSigned(
-      CodebaseUrl url, String name, CodeSigner @Nullable [] signers, Set<X509Certificate> trusted) {
+      CodebaseUrl url,
+      String name,
+      CodeSigner @Nullable [] signers,
+      Set<X509Certificate> trusted,
+      @Nullable TeamSigners team) {
     if (signers == null) {
       throw refused(url, "its entry " + name + " is not signed; sign the whole jar");
     }
     String fault = "";
     for (CodeSigner signer : signers) {
-      X509Certificate leaf = (X509Certificate) signer.getSignerCertPath().getCertificates().get(0);
-      if (trusted.contains(leaf)) {
-        try {
-          leaf.checkValidity();
-          return;
-        } catch (CertificateException e) {
-          fault =
-              "the certificate of its signer "
-                  + leaf.getSubjectX500Principal()
-                  + " is valid only from "
-                  + leaf.getNotBefore().toInstant()
-                  + " to "
-                  + leaf.getNotAfter().toInstant()
-                  + "; renew it, or set the clock";
-        }
-      } else if (fault.isEmpty()) {
-        fault =
-            "its entry "
-                + name
-                + " is signed by "
-                + leaf.getSubjectX500Principal()
-                + ", whose key is not trusted here; add the certificate to the trust file if it"
-                + " should be";
+      List<X509Certificate> chain = chain(signer);
+      Optional<String> refusal =
+          trusted.contains(chain.get(0)) ? datesFault(chain.get(0)) : teamFault(name, chain, team);
+      if (refusal.isEmpty()) {
+        return;
       }
+      fault = fault.isEmpty() ? refusal.get() : fault;
     }
     throw refused(url, fault);
+  }
+
+  private static List<X509Certificate> chain(CodeSigner signer) {
+    return signer.getSignerCertPath().getCertificates().stream()
+        .map(X509Certificate.class::cast)
+        .toList();
+  }
+
+  private static Optional<String> datesFault(X509Certificate leaf) {
+    try {
+      leaf.checkValidity();
+      return Optional.empty();
+    } catch (CertificateException e) {
+      return Optional.of(
+          "the certificate of its signer "
+              + leaf.getSubjectX500Principal()
+              + " is valid only from "
+              + leaf.getNotBefore().toInstant()
+              + " to "
+              + leaf.getNotAfter().toInstant()
+              + "; renew it, or set the clock");
+    }
+  }
+
+  private static Optional<String> teamFault(
+      String name, List<X509Certificate> chain, @Nullable TeamSigners team) {
+    String signed = "its entry " + name + " is signed by " + chain.get(0).getSubjectX500Principal();
+    if (team == null) {
+      return Optional.of(
+          signed
+              + ", whose key is not trusted here; add the certificate to the trust file if it"
+              + " should be");
+    }
+    return team.refusal(chain).map(why -> signed + ", which " + why);
   }
 
   /** Whether it is the manifest or a signature file. */

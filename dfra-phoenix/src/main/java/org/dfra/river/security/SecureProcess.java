@@ -13,11 +13,13 @@ import org.dfra.core.audit.AuditEvent;
 import org.dfra.core.audit.AuditKind.SecurityMode;
 import org.dfra.core.audit.AuditSettings;
 import org.dfra.core.audit.AuditTrail;
+import org.dfra.river.identity.ChannelIdentity;
 import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.IdentityFolder;
 import org.dfra.river.identity.SecurityFiles;
 import org.dfra.river.identity.TeamCredentials;
+import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.security.news.NewsExchange;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -57,6 +59,8 @@ public final class SecureProcess {
   private static @Nullable ProcessIdentity identity;
 
   private static volatile @Nullable NewsExchange news;
+
+  private static volatile @Nullable SecurityWatch watch;
 
   private SecureProcess() {}
 
@@ -123,11 +127,39 @@ public final class SecureProcess {
     }
     identity = made;
     CurrentIdentity.setForProcess(made.identity());
-    SecurityWatch.start(folder, made);
+    watch = SecurityWatch.start(folder, made);
     if (mode == SecurityMode.SECURE) {
       news = new NewsExchange(folder, made.authority(), made::numbers);
+      TrustedCode.trustTeam(new TeamCode(made.authority(), made.revoked(), Clock.systemUTC()));
     }
     return new Installed(mode, made.identity().member().toString(), made.identity().robot(), fault);
+  }
+
+  /**
+   * The identity of another member, for {@link CurrentIdentity#callAs}: in programs that act for
+   * several, such as demonstrations. Its policy and list of revoked certificates stay as they are
+   * now.
+   *
+   * @param folder {@code security} in the member's state folder
+   * @throws IdentityException if it cannot be used; the message says why
+   * @throws GeneralSecurityException if this virtual machine cannot use the key
+   */
+  public static ChannelIdentity other(Path folder)
+      throws IdentityException, IOException, GeneralSecurityException {
+    return ProcessIdentity.of(
+            IdentityFolder.load(folder), folder, SecurityMode.SECURE, false, Clock.systemUTC())
+        .identity();
+  }
+
+  /**
+   * Takes a policy or a list of revoked certificates that was just written into the folder of the
+   * identity. Without it, this process notices the change a little later.
+   */
+  public static void readAgain() {
+    SecurityWatch watching = watch;
+    if (watching != null) {
+      watching.look();
+    }
   }
 
   /** Exchanges news of the authority with others; empty if this process is not secure. */

@@ -1,5 +1,6 @@
 package org.dfra.river.security;
 
+import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -36,7 +37,11 @@ final class SecurityWatch implements Runnable {
   private final Path revokedFile;
   private final Path folder;
   private final ProcessIdentity identity;
+
+  @GuardedBy("this")
   private List<Object> policyState;
+
+  @GuardedBy("this")
   private List<Object> revokedState;
 
   private SecurityWatch(Path folder, ProcessIdentity identity) {
@@ -49,10 +54,12 @@ final class SecurityWatch implements Runnable {
   }
 
   /** Starts to watch what has just been loaded. */
-  static void start(Path folder, ProcessIdentity identity) {
-    Thread thread = new Thread(new SecurityWatch(folder, identity), "dfra-security");
+  static SecurityWatch start(Path folder, ProcessIdentity identity) {
+    SecurityWatch watch = new SecurityWatch(folder, identity);
+    Thread thread = new Thread(watch, "dfra-security");
     thread.setDaemon(true);
     thread.start();
+    return watch;
   }
 
   /** What changes when a file does; empty if there is none. */
@@ -71,16 +78,22 @@ final class SecurityWatch implements Runnable {
   public void run() {
     while (true) {
       LockSupport.parkNanos(this, PERIOD_NANOS);
-      try {
-        lookAtRevoked();
-        lookAtPolicy();
-        identity.reloadDelegations();
-      } catch (RuntimeException e) { // the next change counts all the same
-        LOG.error("A change of {} was not noticed.", folder, e);
-      }
+      look();
     }
   }
 
+  /** Looks now. */
+  synchronized void look() {
+    try {
+      lookAtRevoked();
+      lookAtPolicy();
+      identity.reloadDelegations();
+    } catch (RuntimeException e) { // the next change counts all the same
+      LOG.error("A change of {} was not noticed.", folder, e);
+    }
+  }
+
+  @GuardedBy("this")
   private void lookAtRevoked() {
     List<Object> now = state(revokedFile);
     if (now.isEmpty() || now.equals(revokedState)) {
@@ -106,6 +119,7 @@ final class SecurityWatch implements Runnable {
     }
   }
 
+  @GuardedBy("this")
   private void lookAtPolicy() {
     List<Object> now = state(policyFile);
     if (identity.isClosed() || now.isEmpty() || now.equals(policyState)) {

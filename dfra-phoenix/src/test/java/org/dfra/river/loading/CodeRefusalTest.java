@@ -38,8 +38,7 @@ class CodeRefusalTest extends ServedJarFixture {
     assertRefused(
         new VerifiedClassProvider(CodeTrust.NONE),
         codebase,
-        "its digest is not pinned, no authenticated peer confirms it, and no key is trusted to"
-            + " sign code");
+        "its digest is not pinned, and no key is trusted to" + " sign code");
     assertRefused(
         trusting(team), codebase, "the jar is not signed, and its digest alone says nothing");
   }

@@ -35,19 +35,6 @@ class VerifiedClassProviderTest extends ServedJarFixture {
   }
 
   @Test
-  void loadsWhatAnAuthenticatedPeerVouchesForWithinItsCallOnly() throws Exception {
-    String codebase = serve();
-    VerifiedClassProvider provider = new VerifiedClassProvider(CodeTrust.NONE);
-    assertRefused(provider, codebase, "no authenticated peer confirms it");
-    try (AuthenticatedDigests.Scope scope = AuthenticatedDigests.open("CN=atrv1")) {
-      scope.authenticate(codebase);
-      assertThat(load(provider, codebase).getName()).isEqualTo(KIND);
-    }
-    assertRefused(
-        new VerifiedClassProvider(CodeTrust.NONE), codebase, "no authenticated peer confirms it");
-  }
-
-  @Test
   void loadsNothingFromEntriesThatNobodyNeedsToSign() throws Exception {
     team.sign(jar);
     add("META-INF/SIG-evil.class");

@@ -6,7 +6,6 @@ import com.sun.jini.landlord.LandlordUtil;
 import com.sun.jini.landlord.LocalLandlord;
 import java.net.InetAddress;
 import java.rmi.RemoteException;
-import java.rmi.server.ServerNotActiveException;
 import java.time.Duration;
 import java.util.Map;
 import java.util.Optional;
@@ -19,7 +18,6 @@ import net.jini.core.lease.Lease;
 import net.jini.core.lease.LeaseDeniedException;
 import net.jini.core.lease.UnknownLeaseException;
 import net.jini.export.Exporter;
-import net.jini.export.ServerContext;
 import net.jini.id.Uuid;
 import net.jini.id.UuidFactory;
 import org.dfra.core.lease.LeaseRegistry;
@@ -188,7 +186,7 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
     private @Nullable UUID id;
 
     void begin(UUID granted) {
-      Optional<ChannelPeer> holder = caller();
+      Optional<ChannelPeer> holder = ChannelPeer.ofCurrentCall();
       if (holder.isEmpty()) {
         return;
       }
@@ -209,16 +207,6 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
       if (id != null) {
         members.remove(id);
       }
-    }
-  }
-
-  /** Who makes the call that runs on this thread, if its connection is encrypted. */
-  private static Optional<ChannelPeer> caller() {
-    try {
-      return Optional.ofNullable(
-          (ChannelPeer) ServerContext.getServerContextElement(ChannelPeer.class));
-    } catch (ServerNotActiveException e) {
-      return Optional.empty();
     }
   }
 

@@ -177,6 +177,7 @@ public abstract class ModuleServer<M extends Module>
       // Step 4: the proxy, and before it the landlord, since clients may call immediately.
       landlord.start();
       onUndo(landlord);
+      onUndo(beforeExport());
       Remote exported = exporter.export(this);
       remote = exported;
       exportNews();
@@ -213,6 +214,15 @@ public abstract class ModuleServer<M extends Module>
       undoAll().addSuppressedTo(e);
       throw e;
     }
+  }
+
+  /**
+   * Called when the driver has started, before clients can call.
+   *
+   * @return is closed with the server, after its export has ended
+   */
+  protected AutoCloseable beforeExport() {
+    return () -> {};
   }
 
   private void onUndo(AutoCloseable step) {

@@ -15,13 +15,14 @@ import org.dfra.sim.world.GroundTruth.Collision;
  * The robots' true poses, read from the file that a simulation in another process writes: a line
  * for each robot and time, the older first. Confined to one thread.
  */
-final class TruthFile implements TruthSource, Closeable {
+public final class TruthFile implements TruthSource, Closeable {
 
   private final SimulationProcess simulation;
   private final RandomAccessFile file;
   private String rest = ""; // an incomplete line
 
-  TruthFile(SimulationProcess simulation) throws IOException {
+  /** Reads the file from its beginning. */
+  public TruthFile(SimulationProcess simulation) throws IOException {
     this.simulation = simulation;
     this.file = new RandomAccessFile(simulation.truth().toFile(), "r");
   }

@@ -113,18 +113,38 @@ public final class NewsExchange {
     }
   }
 
+  /**
+   * Exchanges with a process now, and returns what is in force there. Every call takes 2 s at most;
+   * what the process has just been given is in force there a little later.
+   *
+   * @param process where it exports something
+   * @throws IOException if it cannot be asked, or does not take what the authority has signed
+   */
+  public Numbers exchangeNow(PeerAddress process) throws IOException {
+    TeamNews news = proxy(process);
+    Numbers unused = exchange(news);
+    return news.numbers();
+  }
+
+  private static TeamNews proxy(PeerAddress process) {
+    return (TeamNews)
+        DeadlineILFactory.proxy(
+            new BasicObjectEndpoint(
+                Endpoints.tcpClient(process.host(), process.port()), IDENTITY, false),
+            DEADLINE,
+            NewsExchange.class.getClassLoader(),
+            TeamNews.class);
+  }
+
+  /** What is in force in this process. */
+  public Numbers own() {
+    return own.get();
+  }
+
   private void exchange(PeerAddress process) {
     Numbers theirs = null;
     try {
-      TeamNews news =
-          (TeamNews)
-              DeadlineILFactory.proxy(
-                  new BasicObjectEndpoint(
-                      Endpoints.tcpClient(process.host(), process.port()), IDENTITY, false),
-                  DEADLINE,
-                  NewsExchange.class.getClassLoader(),
-                  TeamNews.class);
-      theirs = exchange(news);
+      theirs = exchange(proxy(process));
     } catch (IOException | RuntimeException e) { // it is asked again at the next occasion
       LOG.debug("No exchange of news with {}.", process, e);
     } finally {

@@ -3,10 +3,12 @@ package org.dfra.river.server.behavior;
 import java.rmi.MarshalledObject;
 import java.rmi.RemoteException;
 import java.rmi.activation.ActivationID;
+import java.util.Objects;
 import java.util.UUID;
 import org.dfra.behavior.Behavior;
 import org.dfra.behavior.BehaviorStatus;
 import org.dfra.behavior.Goal;
+import org.dfra.core.behavior.BehaviorImpl;
 import org.dfra.river.remote.behavior.RemoteBehavior;
 import org.dfra.river.server.ModuleActivation;
 import org.dfra.river.server.ModuleServer;
@@ -22,21 +24,34 @@ import org.jspecify.annotations.Nullable;
 public abstract class BehaviorServer<G extends Goal, B extends Behavior<G>> extends SchemaServer<B>
     implements RemoteBehavior<G> {
 
+  private volatile @Nullable GoalRequester requester; // from the start on
+
   /** See {@link ModuleServer#ModuleServer}. */
   protected BehaviorServer(
       Class<B> kind, @Nullable ActivationID id, MarshalledObject<ModuleActivation> data)
       throws Exception {
-    super(kind, id, data);
+    super(kind, BehaviorImpl.class, id, data);
+  }
+
+  @Override
+  protected final AutoCloseable beforeExport() {
+    GoalRequester watching = new GoalRequester(path(), (BehaviorImpl<?>) module());
+    requester = watching;
+    return watching;
+  }
+
+  private GoalRequester requester() {
+    return Objects.requireNonNull(requester, "the server is not started");
   }
 
   @Override
   public final UUID pursue(G goal) throws RemoteException {
-    return module().pursue(goal);
+    return requester().by(() -> module().pursue(goal));
   }
 
   @Override
   public final UUID pursueUnattended(G goal) throws RemoteException {
-    return module().pursueUnattended(goal);
+    return requester().by(() -> module().pursueUnattended(goal));
   }
 
   @Override
@@ -56,12 +71,27 @@ public abstract class BehaviorServer<G extends Goal, B extends Behavior<G>> exte
 
   @Override
   public final void resume() throws RemoteException {
-    module().resume();
+    resume(module()::resume);
   }
 
   @Override
   public final void resumeUnattended() throws RemoteException {
-    module().resumeUnattended();
+    resume(module()::resumeUnattended);
+  }
+
+  private void resume(Resumption resumption) throws RemoteException {
+    boolean unused =
+        requester()
+            .by(
+                () -> {
+                  resumption.call();
+                  return true;
+                });
+  }
+
+  @FunctionalInterface
+  private interface Resumption {
+    void call() throws RemoteException;
   }
 
   @Override
