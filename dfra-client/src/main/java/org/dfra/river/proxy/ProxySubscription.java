@@ -108,9 +108,9 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
       renewer =
           new LeaseRenewer(
                   "subscription to " + path,
-                  () -> register(server, stub, policy).lease(),
+                  () -> ReceivedLease.from(server, register(server, stub, policy).lease()),
                   Lease.ANY,
-                  first.lease(),
+                  ReceivedLease.from(server, first.lease()),
                   Scheduler.system())
               .requestedAt(asked);
     } catch (RemoteException | RuntimeException e) {
