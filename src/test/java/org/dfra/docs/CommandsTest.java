@@ -101,7 +101,10 @@ class CommandsTest {
       return unknownOption(verb, words, testOptions());
     }
     if (verb.equals("dist")) {
-      return unknownOption(verb, words, Set.of("-h", "--help", "--flight", "--complete"));
+      return unknownOption(
+          verb,
+          words,
+          Set.of("-h", "--help", "--flight", "--complete", "--sign", "--sign-passphrase-file"));
     }
     if (verb.equals("build") || verb.equals("javadoc")) {
       return unknownOption(verb, words, Set.of("-h", "--help"));

@@ -177,7 +177,7 @@ final class GoalExecutor implements AutoCloseable {
     try {
       synchronized (status) { // no other goal is started between the check and the stop
         BehaviorStatus now = status.status();
-        if (!(only == null || only.equals(now.goal())) || stopAgain(now, wanted, requester)) {
+        if (!(only == null || only.equals(now.goal())) || stopAgain(now, wanted, why, requester)) {
           return;
         }
         if (!from.contains(now.phase())) {
@@ -203,7 +203,8 @@ final class GoalExecutor implements AutoCloseable {
    * Pauses a goal that is already paused, or stops a goal of the previous process: nothing moves,
    * and the goal no longer continues automatically.
    */
-  private boolean stopAgain(BehaviorStatus now, Phase wanted, RequestedBy requester) {
+  private boolean stopAgain(
+      BehaviorStatus now, Phase wanted, String why, RequestedBy requester) {
     if (now.phase() == Phase.IDLE && now.goal() != null && requester == RequestedBy.OPERATOR) {
       return status.transition(
           EnumSet.of(Phase.IDLE), Phase.CANCELLED, "it was stopped after its process ended", true);
@@ -211,7 +212,7 @@ final class GoalExecutor implements AutoCloseable {
     return now.phase() == Phase.PAUSED
         && wanted == Phase.PAUSED
         && requester == RequestedBy.OPERATOR
-        && status.transition(EnumSet.of(Phase.PAUSED), Phase.PAUSED, "a client paused it", true);
+        && status.transition(EnumSet.of(Phase.PAUSED), Phase.PAUSED, why, true);
   }
 
   /** Ends the executor; the goal is suspended, and its status stays. */

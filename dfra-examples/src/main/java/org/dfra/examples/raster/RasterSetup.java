@@ -52,6 +52,7 @@ public record RasterSetup(
   private static final Path ROOT = Path.of(System.getProperty("dfra.root", "."));
   private static final Path WORLD = ROOT.resolve("config/worlds/raster.xml");
   private static final Path MIDDLE = ROOT.resolve("config/worlds/raster-middle.geojson");
+  private static final Path WEST = ROOT.resolve("config/worlds/raster-west.geojson");
   private static final Path TEAM = ROOT.resolve("config/teams/raster");
 
   private static final Duration TO_BEGIN = Duration.ofMinutes(10);
@@ -60,13 +61,14 @@ public record RasterSetup(
   private static final double SLOWEST = 0.15;
 
   /**
-   * The search of the middle of the standard field, in processes, for another demonstration.
+   * A search of a few lanes of the standard field, in processes, for another demonstration.
    *
    * @param speed seconds of the robots' clock per second
    */
   public static RasterSetup inProcesses(double speed) {
     RasterOptions options = new RasterOptions();
     options.speed = speed;
+    options.region = WEST.toString();
     return of(options);
   }
 

@@ -132,7 +132,7 @@ public final class SecurityDemo implements Demo {
       all.put("DFRA_HOST", DemoEnvironment.ADDRESS);
       all.put("DFRA_TEAM", "security-demo-" + ProcessHandle.current().pid());
       all.put(FieldTeam.LOCATORS, locators());
-      all.put("DFRA_WAIT", "20"); // where nothing is missing it is not used up
+      all.put("DFRA_WAIT", "4"); // a computer with two cores has twenty processes here
       registrars.forEach((robot, port) -> put(all, robot, "REGISTRAR_PORT", port));
       classServers.forEach((robot, port) -> put(all, robot, "CLASS_PORT", port));
       for (String robot : ROBOTS) {
