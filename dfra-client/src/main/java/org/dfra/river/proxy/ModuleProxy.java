@@ -149,7 +149,7 @@ public abstract class ModuleProxy<M extends Module> implements Module, Administr
   /** The module's {@link org.dfra.river.remote.ModuleAdmin}. */
   @Override
   public final Object getAdmin() throws RemoteException {
-    return server.getAdmin();
+    return PreparedProxies.proxy(server, server.getAdmin());
   }
 
   /** The module's identity, its service ID in the lookup service. */

@@ -42,7 +42,7 @@ public final class ProxyCommandLease implements CommandLease {
         new LeaseRenewer(
                 "command of " + path,
                 duration.toMillis(),
-                ReceivedLease.from(server, given.lease()),
+                PreparedProxies.lease(server, given.lease()),
                 Scheduler.system())
             .requestedAt(asked);
     renewer.start();

@@ -108,9 +108,9 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
       renewer =
           new LeaseRenewer(
                   "subscription to " + path,
-                  () -> ReceivedLease.from(server, register(server, stub, policy).lease()),
+                  () -> PreparedProxies.lease(server, register(server, stub, policy).lease()),
                   Lease.ANY,
-                  ReceivedLease.from(server, first.lease()),
+                  PreparedProxies.lease(server, first.lease()),
                   Scheduler.system())
               .requestedAt(asked);
     } catch (RemoteException | RuntimeException e) {

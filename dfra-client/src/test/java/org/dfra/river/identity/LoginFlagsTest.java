@@ -193,16 +193,13 @@ class LoginFlagsTest {
                     null,
                     List.of("-Xlint:all", "-Werror", "-d", temp.toString()),
                     null,
-                    compiler
-                        .getStandardFileManager(null, null, null)
-                        .getJavaFileObjects(source))
+                    compiler.getStandardFileManager(null, null, null).getJavaFileObjects(source))
                 .call())
         .as(output.toString())
         .isTrue();
     LocalTime now = LocalTime.now(ZoneOffset.UTC);
     ClassLoader before = Thread.currentThread().getContextClassLoader();
-    try (URLClassLoader loader =
-        new URLClassLoader(new URL[] {temp.toUri().toURL()}, before)) {
+    try (URLClassLoader loader = new URLClassLoader(new URL[] {temp.toUri().toURL()}, before)) {
       Thread.currentThread().setContextClassLoader(loader);
       configure(hours("00:00", "23:59:59.999999999"), keyStore("required"));
       assertThat(IdentityFolder.load(folder).member()).isEqualTo(ROBOT);

@@ -203,8 +203,7 @@ final class GoalExecutor implements AutoCloseable {
    * Pauses a goal that is already paused, or stops a goal of the previous process: nothing moves,
    * and the goal no longer continues automatically.
    */
-  private boolean stopAgain(
-      BehaviorStatus now, Phase wanted, String why, RequestedBy requester) {
+  private boolean stopAgain(BehaviorStatus now, Phase wanted, String why, RequestedBy requester) {
     if (now.phase() == Phase.IDLE && now.goal() != null && requester == RequestedBy.OPERATOR) {
       return status.transition(
           EnumSet.of(Phase.IDLE), Phase.CANCELLED, "it was stopped after its process ended", true);
