@@ -100,7 +100,8 @@ class DistributedLayerTest {
   void theSecurityOfAProcessNeedsIdentitiesTheTransportAndCallsOnly() {
     check(
         SECURITY,
-        dependsWithinDfraOnlyOn(SECURITY, join(SECURITY, IDENTITY, TRANSPORT, CALL, API, CORE)));
+        dependsWithinDfraOnlyOn(
+            SECURITY, join(SECURITY, IDENTITY, TRANSPORT, CALL, LOADING, API, CORE)));
   }
 
   @Test
@@ -131,9 +132,10 @@ class DistributedLayerTest {
         .containsOnly(JERI_ACTIVATION_ID);
   }
 
+  /** It keeps the identity with which it was received. */
   @Test
-  void aProxyNeedsTheApiTheRemoteInterfaceTheEntriesAndCallsOnly() {
-    check(PROXY, dependsWithinDfraOnlyOn(PROXY, join(PROXY, API, REMOTE, ENTRY, CALL)));
+  void aProxyNeedsTheApiTheRemoteInterfaceTheEntriesCallsAndItsIdentityOnly() {
+    check(PROXY, dependsWithinDfraOnlyOn(PROXY, join(PROXY, API, REMOTE, ENTRY, CALL, IDENTITY)));
   }
 
   @Test

@@ -60,6 +60,7 @@ abstract class PrintedTextRules {
           "org.dfra.benchmarks.scale.ObserverTask",
           "org.dfra.benchmarks.scale.RobotTask",
           "org.dfra.benchmarks.scale.TeamView",
+          "org.dfra.examples.security.RogueRegistrarMain", // to the demonstration, which reads it
           "org.dfra.benchmarks.event.EventListenerTask",
           "org.dfra.benchmarks.event.EventServerTask",
           "org.dfra.benchmarks.start.ComputingTask",

@@ -18,6 +18,8 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicLong;
 import net.jini.admin.Administrable;
+import net.jini.core.entry.Entry;
+import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.dfra.app.MarkedProcesses.Outcome;
@@ -34,6 +36,7 @@ import org.dfra.flow.effector.DriveEffector;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.lease.ModuleLease;
+import org.dfra.river.entry.ModuleEntry;
 import org.dfra.river.phoenix.GroupStatus;
 import org.dfra.river.remote.ModuleAdmin;
 import org.dfra.secure.PlainCalls.Greeted;
@@ -190,6 +193,18 @@ class SecureTeamIT {
     DriveEffector drive =
         MemberCalls.listed(team.registrar(FIRST), DriveEffector.class, "atrv1/drive");
     assertThat(drive.readiness().serves()).isTrue();
+    ServiceRegistrar seen = MemberCalls.registrar(team.registrar(FIRST));
+    ServiceTemplate modules = new ServiceTemplate(null, null, new Entry[] {new ModuleEntry()});
+    assertThat(seen.getFieldValues(modules, 0, "name")).contains("drive", "gps_front");
+    assertThat(seen.getFieldValues(modules, 0, "host")).containsOnlyNulls();
+    ModuleEntry guess = new ModuleEntry();
+    guess.host = SecureTeam.HOST;
+    ServiceTemplate oracle = new ServiceTemplate(null, null, new Entry[] {guess});
+    assertThat(seen.lookup(oracle, 8).totalMatches).as("asked by address").isZero();
+    assertThat(
+            anna.call(() -> MemberCalls.registrar(team.registrar(FIRST)).lookup(oracle, 8))
+                .totalMatches)
+        .isGreaterThanOrEqualTo(2);
     String refused = " of drive is refused to a stranger (127.0.0.1)";
     assertRefused(
         () -> drive.subscribe(event -> {}, DeliveryPolicy.keepLast(8)), "subscribe" + refused);

@@ -1,15 +1,22 @@
 package org.dfra.cli;
 
 import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import org.dfra.cli.team.PhoenixOptions.StateOption;
 import org.dfra.core.audit.AuditKind.SecurityMode;
 import org.dfra.river.security.SecureProcess;
+import org.dfra.river.security.news.NewsExchange;
 
 /** The identity with which a command calls robots: that of its state folder. */
 final class CommandIdentity {
+
+  private static final String AUDIT = "audit";
+  private static final Duration END_PATIENCE = Duration.ofMillis(500);
 
   /** These verbs call nobody, or start robots of their own, which are in no team. */
   private static final Set<String> WITHOUT =
@@ -17,7 +24,7 @@ final class CommandIdentity {
           "security",
           "whoami",
           "policy",
-          "audit",
+          AUDIT,
           "demo",
           "sim",
           "bench",
@@ -31,6 +38,7 @@ final class CommandIdentity {
   /** Stopping is safe: it also goes to robots whose certificate has expired. */
   private static final String STOP = "stop";
 
+  private static final String FROM = "--from";
   private static final String OPTION = "--state";
 
   private CommandIdentity() {}
@@ -52,9 +60,28 @@ final class CommandIdentity {
     }
   }
 
+  /**
+   * Gives what the command has begun to exchange with other members a moment to arrive, after its
+   * answer. A stop does not wait.
+   *
+   * @param args as they were typed
+   */
+  static void finish(String[] args) {
+    Optional<NewsExchange> news = SecureProcess.news();
+    if (news.isPresent() && args.length > 0 && !args[0].equals(STOP)) {
+      try {
+        news.get().awaitExchanges(END_PATIENCE);
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt(); // it ends now
+      }
+    }
+  }
+
+  /** The audit trail is in files, but heads of it can be asked for. */
   private static boolean callsRobots(String[] args) {
     return !WITHOUT.contains(args[0])
-        || (args[0].equals("security") && args.length > 1 && SECURITY_WITH.contains(args[1]));
+        || (args[0].equals("security") && args.length > 1 && SECURITY_WITH.contains(args[1]))
+        || (args[0].equals(AUDIT) && Arrays.stream(args).anyMatch(each -> each.startsWith(FROM)));
   }
 
   private static Path state(List<String> args) {

@@ -130,7 +130,9 @@ public final class Main {
       System.err.println(ConsoleMessages.prefixed(String.valueOf(e.getMessage())));
       System.exit(1);
     }
-    System.exit(commandLine(args).execute(args));
+    int status = commandLine(args).execute(args);
+    CommandIdentity.finish(args);
+    System.exit(status);
   }
 
   /** For example an error thrown by a proxy, whose code another computer supplies. */

@@ -188,7 +188,9 @@ class SecurityCommandsTest {
         .isEqualTo(
             "Revoked robot atrv1: 1 certificate.\nList 2 is "
                 + temp.resolve("operator/authority/revoked.crl")
-                + ".\nThis computer's identity has it too.\n");
+                + ".\nThis computer's identity has it too.\n"
+                + "No robot was asked: this computer has no usable identity of the team. Each robot"
+                + " gets it from the next member that has it.\n");
     succeeds(operator("security", "list"));
     assertThat(out).contains("robot atrv1", "revoked", "it was stolen", "operator anna", "valid");
     TeamCredentials anna = IdentityFolder.load(temp.resolve("operator/security"));
@@ -200,6 +202,40 @@ class SecurityCommandsTest {
         operator("security", "renew", "atrv1", "--out=" + temp.resolve("new.bundle")),
         "robot atrv1 is revoked; to admit it again, type: ./dfra security issue robot atrv1");
     assertThat(temp.resolve("new.bundle")).doesNotExist();
+  }
+
+  @Test
+  void aPublishedPolicyIsSignedAndReachesTheOperatorsOwnIdentity() throws Exception {
+    init();
+    Path policy = temp.resolve("operator/authority/policy.xml");
+    Path own = temp.resolve("operator/security/policy.xml");
+    String text = Files.readString(policy);
+    String stricter = text.replace("</policy>", "  <deny name=\"more\" kind=\"read\"/>\n</policy>");
+    Files.writeString(policy, stricter);
+    assertThat(operator("security", "publish")).isEqualTo(ExitCode.FAILED);
+    assertThat(err).contains("; raise the version in " + policy).hasLineCount(1);
+    assertThat(own).hasContent(text);
+
+    Files.writeString(policy, stricter.replace("version=\"1\"", "version=\"2\""));
+    succeeds(operator("security", "publish"));
+    assertThat(out).startsWith("Signed policy 2 of field: " + policy + "\n");
+    assertThat(own).hasSameTextualContentAs(policy);
+    succeeds(operator("security", "show"));
+    assertThat(out).containsPattern("policy[^\n]*: 2\n");
+
+    Files.writeString(policy, "<policy/>");
+    assertThat(operator("security", "publish")).isEqualTo(ExitCode.FAILED);
+    assertThat(err).contains(policy.toString());
+    assertThat(own).hasContent(stricter.replace("version=\"1\"", "version=\"2\""));
+  }
+
+  @Test
+  void aComputerWithoutIdentityPublishesNothing() {
+    init();
+    assertThat(temp.resolve("operator/security").toFile().renameTo(temp.resolve("away").toFile()))
+        .isTrue();
+    assertThat(operator("security", "publish")).isEqualTo(ExitCode.FAILED);
+    assertThat(err).contains("this computer has no identity of team field").hasLineCount(1);
   }
 
   @Test

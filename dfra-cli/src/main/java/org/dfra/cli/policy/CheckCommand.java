@@ -1,7 +1,9 @@
 package org.dfra.cli.policy;
 
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import org.dfra.core.policy.MethodKind;
@@ -22,7 +24,9 @@ import picocli.CommandLine.Mixin;
       "\"some\" means that the policy permits some methods of the kind and denies others, and",
       "\"depends\" that it depends on a condition, a rate or a confirmation. The objects that are",
       "called belong to another robot than the caller, except in the column OWN. In the",
-      "column DELEGATE a robot calls on an operator's behalf."
+      "column DELEGATE a robot calls on an operator's behalf. If the policy has <hide>,",
+      "the rows \"services\" and \"entry\" say what callers see in lookup services: shown,",
+      "hidden, or some. They are about services without a name or a type that a rule names."
     })
 final class CheckCommand implements Callable<Integer> {
 
@@ -44,11 +48,10 @@ final class CheckCommand implements Callable<Integer> {
                     Stream.of("KIND"),
                     rows.stream().map(row -> row.caller().toUpperCase(Locale.ROOT)))
                 .toArray(String[]::new));
-    for (MethodKind kind : MethodKind.values()) {
+    for (String what : rows(rows)) {
       table.row(
           Stream.concat(
-                  Stream.of(kind.text()),
-                  rows.stream().map(row -> row.outcomes().getOrDefault(kind.text(), "-")))
+                  Stream.of(what), rows.stream().map(row -> row.outcomes().getOrDefault(what, "-")))
               .toArray(String[]::new));
     }
     if (!answer.isJson()) {
@@ -63,5 +66,15 @@ final class CheckCommand implements Callable<Integer> {
     }
     answer.table(rows, table, "The policy is about no method.");
     return ExitCode.SUCCESS;
+  }
+
+  /** The kinds of methods, and what lookup services show if the policy hides something. */
+  private static Set<String> rows(List<PolicySummary.CallerRow> summary) {
+    Set<String> rows = new LinkedHashSet<>();
+    for (MethodKind kind : MethodKind.values()) {
+      rows.add(kind.text());
+    }
+    summary.forEach(row -> rows.addAll(row.outcomes().keySet()));
+    return rows;
   }
 }

@@ -27,10 +27,12 @@ import picocli.CommandLine.Option;
 @Command(
     name = "explain",
     description =
-        "Explains which rule of a policy decides about a call, and why no earlier one does.",
+        "Explains which rule of a policy decides about a call, and why no earlier one does; or what"
+            + " a caller sees in lookup services.",
     footer = {
       "",
-      "Exits with 0 whether the call is permitted or not, and with 3 if there is no such method."
+      "Exits with 0 whether the call is permitted or not, and with 3 if there is no such method or",
+      "attribute."
     })
 final class ExplainCommand implements Callable<Integer> {
 
@@ -52,8 +54,11 @@ final class ExplainCommand implements Callable<Integer> {
   @Option(
       names = "--what",
       required = true,
-      paramLabel = "INTERFACE.METHOD",
-      description = "The called method, such as DriveEffector.execute.")
+      paramLabel = "WHAT",
+      description =
+          "The called method, such as DriveEffector.execute; or \"entry module.host\" or \"entry module\""
+              + " for attributes in a lookup service, or \"service\" for a service there. \"of GPSSensor\""
+              + " after it says what the service is.")
   private String what = "";
 
   @Option(
@@ -100,6 +105,11 @@ final class ExplainCommand implements Callable<Integer> {
   public Integer call() {
     Policy policy = file.read();
     Caller caller = CallerArgument.parse(who, policy.team(), robot);
+    if (SeenArgument.isSeen(what)) {
+      ExplainedView seen = SeenArgument.parse(what, robot, object).explain(policy, caller);
+      answer.lines(seen, seen.lines());
+      return ExitCode.SUCCESS;
+    }
     CalledMethod method = method(PolicyFile.catalogue());
     if (behalf == null || method.kind() == MethodKind.STOP) {
       PolicyExplanation explanation = PolicyExplanation.of(policy, caller, method, robot, object);
@@ -136,7 +146,9 @@ final class ExplainCommand implements Callable<Integer> {
     if (dot <= 0) {
       throw new CommandFailure(
           ExitCode.USAGE_ERROR,
-          "--what \"" + what + "\" is no method; write it as DriveEffector.execute");
+          "--what \""
+              + what
+              + "\" is no method; write it as DriveEffector.execute, or \"entry module.host\"");
     }
     String type = what.substring(0, dot);
     List<CataloguedInterface> found = catalogue.named(type);

@@ -15,17 +15,22 @@ import org.dfra.core.policy.MethodKind;
 import org.dfra.core.policy.Policy;
 import org.dfra.core.policy.PolicyExplanation;
 import org.dfra.core.policy.PolicyExplanation.Outcome;
+import org.dfra.core.policy.PolicyVisibility;
 import org.dfra.security.Behalf;
 import org.dfra.security.Caller;
 import org.dfra.security.Caller.Standing;
 import org.dfra.security.Member;
 import org.dfra.security.MemberRole;
+import org.dfra.security.Visibility.ListedService;
 
 /** Who may call which kinds of methods, over all methods of DFRA's and River's interfaces. */
 final class PolicySummary {
 
   /** Names that no rule of a policy has by chance. */
   private static final String CALLED = "called-robot";
+
+  /** What lookup services list, in the summary. */
+  private static final String SERVICES = "services";
 
   private static final String OTHER = "other-member";
 
@@ -35,7 +40,8 @@ final class PolicySummary {
    * A row of the summary.
    *
    * @param caller such as {@code operator}
-   * @param outcomes by the kind of method: permit, deny, some or depends
+   * @param outcomes by the kind of method: permit, deny, some or depends; and, if the policy hides
+   *     something, what is seen in lookup services: shown, hidden or some
    */
   record CallerRow(String caller, Map<String, String> outcomes) {}
 
@@ -75,6 +81,14 @@ final class PolicySummary {
     }
     Map<String, String> outcomes = new LinkedHashMap<>();
     found.forEach((kind, each) -> outcomes.put(kind.text(), inWords(each)));
+    if (!policy.visibility().isEmpty()) {
+      ListedService service = new ListedService(CALLED, "", Set.of());
+      outcomes.put(SERVICES, seen(PolicyVisibility.explain(policy, caller, service, "")));
+      for (String each : PolicyVisibility.records()) {
+        outcomes.put(
+            "entry " + each, seen(PolicyVisibility.explain(policy, caller, service, each)));
+      }
+    }
     return new CallerRow(name, outcomes);
   }
 
@@ -91,6 +105,11 @@ final class PolicySummary {
       return Outcome.DENY;
     }
     return bearers == principals ? bearers : Outcome.DEPENDS;
+  }
+
+  private static String seen(List<PolicyVisibility.Explained> parts) {
+    long shown = parts.stream().filter(PolicyVisibility.Explained::isShown).count();
+    return shown == 0 ? "hidden" : shown == parts.size() ? "shown" : "some";
   }
 
   private static String inWords(Set<Outcome> outcomes) {

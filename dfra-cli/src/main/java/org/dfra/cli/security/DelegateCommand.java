@@ -41,7 +41,7 @@ import picocli.CommandLine.Parameters;
       CommandName.IN_HELP
           + " security accept. It is no secret: it names the other one's certificate, so nobody",
       "else can use it. It ends with its time, and as soon as one of both members is revoked.",
-      "Whoever commands that member can have it command the robots. The team's policy must",
+      "All who may command that member can make it command the robots. The team's policy must",
       "permit the other one to act for operators, as the one that comes with DFRA does."
     })
 final class DelegateCommand implements Callable<Integer> {

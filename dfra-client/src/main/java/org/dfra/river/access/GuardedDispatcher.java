@@ -18,6 +18,7 @@ import org.dfra.security.AccessRequest;
 import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
+import org.dfra.security.Visibility;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -130,7 +131,22 @@ public class GuardedDispatcher extends FilteredInvocationDispatcher {
     }
   }
 
-  private static Caller caller(Collection<?> context) {
+  /** What a caller sees of what a lookup service lists; everything if nobody is authenticated. */
+  protected final Visibility visibility(Caller caller) {
+    @Nullable Guard guard = endpoint == null ? null : endpoint.guard();
+    if (endpoint != null && guard == null) {
+      throw new IllegalStateException("an endpoint has lost its guard");
+    }
+    return guard == null ? Visibility.ALL : guard.visibility(caller);
+  }
+
+  /** Whether callers are authenticated. */
+  protected final boolean isGuarded() {
+    return endpoint != null;
+  }
+
+  /** Who makes a call. */
+  protected static Caller caller(Collection<?> context) {
     for (Object each : context) {
       if (each instanceof Caller caller) {
         return caller;

@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.ServiceLoader;
 import net.jini.core.entry.Entry;
 import org.dfra.persona.Attributes;
+import org.dfra.persona.ModuleAttributes;
 import org.jspecify.annotations.Nullable;
 
 /** Converts attribute records to entries and entries to attribute records. */
@@ -149,7 +150,9 @@ public final class Entries {
       for (int i = 0; i < values.length; i++) {
         @Nullable Object value = type.getDeclaredField(components[i].getName()).get(entry);
         any |= value != null;
-        values[i] = toComponent(value, components[i].getType());
+        values[i] =
+            toComponent(
+                value == null ? unknown(mirrored, components[i]) : value, components[i].getType());
       }
       return any ? make(mirrored, values) : null;
     } catch (NoSuchFieldException | IllegalAccessException e) {
@@ -181,6 +184,23 @@ public final class Entries {
       LOG.log(Level.DEBUG, "A " + type.getSimpleName() + " cannot be made here.", e);
       return null;
     }
+  }
+
+  /**
+   * The value of a module's attribute that a lookup service does not show to this client: a policy
+   * may hide all but the names and the state. Null for other attributes.
+   */
+  private static @Nullable Object unknown(
+      Class<? extends Attributes> mirrored, RecordComponent component) {
+    if (mirrored != ModuleAttributes.class) {
+      return null;
+    }
+    return switch (component.getName()) {
+      case "driver", "host", "author", "version" -> "";
+      case "created" -> 0L;
+      case "clients" -> 0;
+      default -> null;
+    };
   }
 
   private static @Nullable Object toField(@Nullable Object value) {

@@ -180,7 +180,7 @@ public record Delegation(
     }
   }
 
-  /** What its fields must be, whoever has signed it. */
+  /** What its fields must be, no matter who has signed it. */
   private void requireForm() {
     Member named = Member.of(certificate.getSubjectX500Principal());
     if (!named.equals(principal)) {

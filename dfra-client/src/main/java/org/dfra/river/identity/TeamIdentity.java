@@ -8,6 +8,7 @@ import java.security.GeneralSecurityException;
 import java.security.Principal;
 import java.security.PrivateKey;
 import java.security.PublicKey;
+import java.security.cert.CertificateException;
 import java.security.cert.X509Certificate;
 import java.time.Clock;
 import java.util.Collection;
@@ -143,6 +144,21 @@ public final class TeamIdentity implements ChannelIdentity {
   private static void limit(SSLSessionContext sessions) {
     sessions.setSessionTimeout(SESSION_SECONDS);
     sessions.setSessionCacheSize(SESSIONS);
+  }
+
+  /**
+   * Checks that the team's authority has issued a certificate to a member, and not revoked it. It
+   * may have expired. The own one is believed too.
+   *
+   * @throws CertificateException if not; the message says why
+   */
+  public void requireMember(X509Certificate certificate) throws CertificateException {
+    trust.checkClientTrusted(new X509Certificate[] {certificate}, certificate.getSigAlgName());
+  }
+
+  /** The certificate that it shows. */
+  public X509Certificate certificate() {
+    return own;
   }
 
   /** Who it is. */

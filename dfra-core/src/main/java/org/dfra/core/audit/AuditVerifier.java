@@ -66,6 +66,17 @@ public final class AuditVerifier {
     return verified;
   }
 
+  /**
+   * Whose trail it is, as the first lines of the files say.
+   *
+   * @param folder of the trail
+   * @return as heads name them; empty if there is no trail
+   * @throws IOException if a file cannot be read
+   */
+  public static Set<String> owners(Path folder) throws IOException {
+    return owners(TrailFile.in(folder));
+  }
+
   /** Whose trail it is, as the first lines of the files say. */
   private static Set<String> owners(SortedMap<String, List<TrailFile>> streams) throws IOException {
     Set<String> owners = new HashSet<>();

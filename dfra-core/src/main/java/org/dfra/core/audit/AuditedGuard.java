@@ -5,8 +5,10 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import org.dfra.security.AccessRequest;
+import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
+import org.dfra.security.Visibility;
 
 /**
  * Records what another guard decides. Permitted calls that only read and that oblige to nothing are
@@ -58,5 +60,10 @@ public final class AuditedGuard implements Guard {
       trail.record(AuditEvent.call(request, decision, obliged));
     }
     return decision;
+  }
+
+  @Override
+  public Visibility visibility(Caller caller) {
+    return guard.visibility(caller);
   }
 }

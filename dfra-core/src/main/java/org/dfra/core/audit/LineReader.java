@@ -37,7 +37,8 @@ final class LineReader implements Closeable {
   private int limit;
   private long offset;
 
-  private LineReader(InputStream in, long offset) {
+  /** Of a stream that is at an offset of what is read. */
+  LineReader(InputStream in, long offset) {
     this.in = in;
     this.offset = offset;
   }

@@ -3,6 +3,7 @@ package org.dfra.core.audit;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import org.dfra.core.audit.AuditLine.Header;
@@ -84,16 +85,30 @@ final class StreamVerifier {
   }
 
   private Optional<Break> againstHeads(ChainLine current, AuditLine line) {
+    @Nullable KeptHead other = null;
+    @Nullable KeptHead same = null;
     for (KeptHead each : heads) {
-      AuditHead head = each.head();
-      if (head.number() == line.number() && !head.hash().equals(current.hash())) {
-        return Optional.of(
-            current.broken(
-                Kind.CHANGED,
-                "this line, or one before it, was changed: " + signed(each) + " another one"));
+      if (each.head().number() == line.number()) {
+        boolean isSame = each.head().hash().equals(current.hash());
+        same = isSame ? each : same;
+        other = isSame ? other : each;
       }
     }
-    return Optional.empty();
+    if (other == null) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        same == null
+            ? current.broken(
+                Kind.CHANGED,
+                "this line, or one before it, was changed: " + signed(other) + " another one")
+            : current.broken(
+                Kind.FORKED,
+                "the trail was written twice: "
+                    + signed(same)
+                    + " this line, and at "
+                    + LineEncoder.time(other.head().time())
+                    + " another one with this number"));
   }
 
   /** Older files may only be missing if a later one removed them. */
@@ -116,23 +131,23 @@ final class StreamVerifier {
 
   private Optional<Break> cut() {
     long end = last == null || last.line() == null ? 0 : last.line().number();
-    for (KeptHead each : heads) {
-      if (each.head().number() > end) {
-        Path file = last == null ? Path.of(stream) : last.path();
-        String sentence =
-            end == 0
-                ? "the stream was removed: " + signed(each)
-                : "the stream was cut after line " + end + ": " + signed(each);
-        return Optional.of(new Break(file, last == null ? 1 : last.at(), Kind.CUT, sentence));
-      }
-      if (each.head().number() < first) {
-        notes.add(
-            "the head with number "
-                + each.head().number()
-                + " is older than the first line that is left, "
-                + first
-                + ", and proves nothing now");
-      }
+    Optional<KeptHead> newest =
+        heads.stream().max(Comparator.comparingLong(each -> each.head().number()));
+    if (newest.isPresent() && newest.get().head().number() > end) {
+      Path file = last == null ? Path.of(stream) : last.path();
+      String sentence =
+          end == 0
+              ? "the stream was removed: " + signed(newest.get())
+              : "the stream was cut after line " + end + ": " + signed(newest.get());
+      return Optional.of(new Break(file, last == null ? 1 : last.at(), Kind.CUT, sentence));
+    }
+    if (newest.isPresent() && newest.get().head().number() < first) {
+      notes.add(
+          "the head with number "
+              + newest.get().head().number()
+              + " is older than the first line that is left, "
+              + first
+              + ", and proves nothing now");
     }
     return Optional.empty();
   }

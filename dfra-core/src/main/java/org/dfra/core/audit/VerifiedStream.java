@@ -33,7 +33,9 @@ public record VerifiedStream(
     /** Lines have another order, or one occurs twice. */
     OUT_OF_ORDER,
     /** The end of the stream is missing. */
-    CUT
+    CUT,
+    /** Its owner has signed this line and another one with the same number. */
+    FORKED
   }
 
   /**

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.LongSupplier;
 import org.dfra.security.AccessRequest;
@@ -12,6 +13,7 @@ import org.dfra.security.Behalf;
 import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.dfra.security.Member;
+import org.dfra.security.Visibility;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -27,6 +29,10 @@ final class ActivePolicy {
   private final Policy policy;
   private final Map<PolicyRule, CallRateLimiter> limiters = new IdentityHashMap<>();
   private final ConcurrentHashMap<CallKey, Candidate[]> known = new ConcurrentHashMap<>();
+  private final ConcurrentHashMap<CallerKey, Visibility> seen = new ConcurrentHashMap<>();
+
+  /** What is seen depends on this. */
+  private record CallerKey(Caller.Standing standing, Optional<Member> member) {}
 
   /**
    * A rule that may decide about a call.
@@ -119,6 +125,24 @@ final class ActivePolicy {
     Candidate[] computed = compute(request);
     known.put(key, computed);
     return computed;
+  }
+
+  /** What a caller sees of the services that a lookup service lists. */
+  Visibility visibility(Caller caller) {
+    if (caller.standing() == Caller.Standing.OWN || policy.visibility().isEmpty()) {
+      return Visibility.ALL;
+    }
+    CallerKey key = new CallerKey(caller.standing(), caller.member());
+    @Nullable Visibility found = seen.get(key);
+    if (found != null) {
+      return found;
+    }
+    if (seen.size() >= MAX_KNOWN) {
+      seen.clear();
+    }
+    Visibility made = PolicyVisibility.of(policy, caller);
+    seen.put(key, made);
+    return made;
   }
 
   private Candidate[] compute(AccessRequest request) {

@@ -28,6 +28,9 @@ record CallerCriteria(
     @Nullable Boolean sameRobot,
     BehalfCriteria behalf) {
 
+  /** The standings of a rule about what is seen that names none. */
+  static final Set<Standing> OTHERS = Set.of(Standing.MEMBER, Standing.EXPIRED, Standing.STRANGER);
+
   /** The standings of a rule that names none: a permit is for valid members, a denial for all. */
   static Set<Standing> defaultStandings(Effect effect) {
     return effect == Effect.PERMIT

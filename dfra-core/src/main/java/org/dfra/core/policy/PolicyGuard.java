@@ -10,6 +10,7 @@ import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
 import org.dfra.security.Member;
+import org.dfra.security.Visibility;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -114,6 +115,12 @@ public final class PolicyGuard implements Guard {
     throw new AssertionError("the last candidate always decides");
   }
 
+  @Override
+  public Visibility visibility(Caller caller) {
+    ActivePolicy now = active;
+    return now.visibility(recognised(caller, now.policy()));
+  }
+
   /** The decision of a rule that applies, after its rate and its confirmation are checked. */
   private Decision checked(PolicyRule rule, Candidate candidate, AccessRequest request) {
     ActivePolicy.@Nullable UnmetObligations unmet = candidate.unmet();
@@ -139,15 +146,17 @@ public final class PolicyGuard implements Guard {
 
   /** The request, with a stranger in place of a member of another team. */
   private static AccessRequest recognised(AccessRequest request, Policy policy) {
-    Caller caller = request.caller();
-    return caller.member().isEmpty() || caller.member().get().team().equals(policy.team())
+    Caller caller = recognised(request.caller(), policy);
+    return caller == request.caller()
         ? request
         : new AccessRequest(
-            Caller.stranger(caller.address()),
-            request.robot(),
-            request.object(),
-            request.type(),
-            request.method());
+            caller, request.robot(), request.object(), request.type(), request.method());
+  }
+
+  private static Caller recognised(Caller caller, Policy policy) {
+    return caller.member().isEmpty() || caller.member().get().team().equals(policy.team())
+        ? caller
+        : Caller.stranger(caller.address());
   }
 
   /**

@@ -44,15 +44,30 @@ final class PolicyReader {
       }
     }
     List<PolicyRule> rules = new ArrayList<>();
+    List<VisibilityRule> visibility = new ArrayList<>();
     XmlValues.UniqueNames ruleNames = values.uniqueNames();
     for (Element each : root.getChildren()) {
-      if (each.getName().equals("permit") || each.getName().equals("deny")) {
-        new RuleReader(each, values, catalogue, regions, ruleNames).rule().ifPresent(rules::add);
+      RuleReader reader = new RuleReader(each, values, catalogue, regions, ruleNames);
+      switch (each.getName()) {
+        case "permit", "deny" -> reader.rule().ifPresent(rules::add);
+        case "show", "hide" -> reader.visibility().ifPresent(visibility::add);
+        default -> {
+          // a region
+        }
       }
     }
     values.check(root, countFault(rules.size()));
+    values.check(
+        root,
+        visibility.size() > PolicyXml.MAX_VISIBILITY_RULES
+            ? "the policy has "
+                + visibility.size()
+                + " <hide> and <show>, at most "
+                + PolicyXml.MAX_VISIBILITY_RULES
+                + " are read"
+            : null);
     return faults.isEmpty() && team != null
-        ? Optional.of(new Policy(team, version, rules, digest, values.place(root)))
+        ? Optional.of(new Policy(team, version, rules, visibility, digest, values.place(root)))
         : Optional.empty();
   }
 

@@ -26,6 +26,9 @@ public final class PolicyXml {
   /** The most rules of a policy. */
   public static final int MAX_RULES = 500;
 
+  /** The most rules about what lookup services show: a bit of a long for each. */
+  public static final int MAX_VISIBILITY_RULES = 64;
+
   private static final XmlSchema SCHEMA =
       new XmlSchema("policy", "urn:dfra:policy:1", PolicyXml.class, "policy.xsd");
 

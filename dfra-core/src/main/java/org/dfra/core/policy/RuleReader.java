@@ -19,7 +19,10 @@ import org.dfra.security.MemberRole;
 import org.jdom2.Element;
 import org.jspecify.annotations.Nullable;
 
-/** Reads one {@code <permit>} or {@code <deny>}, and records its faults. */
+/**
+ * Reads one {@code <permit>}, {@code <deny>}, {@code <show>} or {@code <hide>}, and records its
+ * faults.
+ */
 final class RuleReader {
 
   private static final String ANY = "*";
@@ -46,13 +49,14 @@ final class RuleReader {
     this.catalogue = catalogue;
     this.regions = regions;
     this.names = names;
-    this.effect = element.getName().equals("permit") ? Effect.PERMIT : Effect.DENY;
+    this.effect =
+        List.of("permit", "show").contains(element.getName()) ? Effect.PERMIT : Effect.DENY;
   }
 
   /** The rule; empty, with the reasons among the faults, if it has any. */
   Optional<PolicyRule> rule() {
     String name = name();
-    CallerCriteria callers = callers();
+    CallerCriteria callers = callers(CallerCriteria.defaultStandings(effect));
     CallCriteria calls = calls();
     ConditionReader conditions = new ConditionReader(values, regions);
     List<PolicyCondition> held = new ArrayList<>();
@@ -64,6 +68,36 @@ final class RuleReader {
         ? Optional.empty()
         : Optional.of(
             new PolicyRule(name, effect, callers, calls, held, obligations, values.place(element)));
+  }
+
+  /** The rule about what is seen; empty, with the reasons among the faults, if it has any. */
+  Optional<VisibilityRule> visibility() {
+    String name = name();
+    CallerCriteria callers = callers(CallerCriteria.OTHERS);
+    fault(
+        callers.standings().contains(Standing.OWN)
+            ? "nothing is hidden from a robot's own processes; delete own from standing"
+            : null);
+    List<CataloguedInterface> types = new ArrayList<>();
+    items("type").forEach(each -> interfaceNamed(each).ifPresent(types::add));
+    List<EntryPattern> entries = new ArrayList<>();
+    @Nullable String written = element.getAttributeValue("entry");
+    List<String> items = written == null ? List.of() : NamePattern.items(written);
+    fault(written != null && items.isEmpty() ? "entry names nothing; delete it, or write *" : null);
+    for (String each : items) {
+      try {
+        entries.add(EntryPattern.of(each));
+      } catch (IllegalArgumentException e) {
+        fault(e.getMessage());
+      }
+    }
+    NamePattern robots = names("robot");
+    NamePattern objects = names("object");
+    return isFaulty
+        ? Optional.empty()
+        : Optional.of(
+            new VisibilityRule(
+                name, effect, callers, robots, objects, types, entries, values.place(element)));
   }
 
   private void fault(@Nullable String sentence) {
@@ -82,13 +116,13 @@ final class RuleReader {
     return written;
   }
 
-  private CallerCriteria callers() {
+  private CallerCriteria callers(Set<Standing> byDefault) {
     Set<Standing> standings = constants("standing", RuleReader::standing);
     String same = element.getAttributeValue("same-robot");
     boolean isWord = same == null || same.equals("yes") || same.equals("no");
     fault(isWord ? null : "same-robot is \"" + same + "\"; write yes or no");
     return new CallerCriteria(
-        standings.isEmpty() ? CallerCriteria.defaultStandings(effect) : standings,
+        standings.isEmpty() ? byDefault : standings,
         constants("role", MemberRole::of),
         names("member"),
         same == null ? null : Boolean.valueOf(same.equals("yes")),

@@ -13,6 +13,8 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.security.KeyPairGenerator;
 import java.time.Instant;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 import org.dfra.core.audit.HeadStore.Outcome;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -82,16 +84,16 @@ class HeadStoreTest {
   @Test
   void onlyNewerHeadsReplaceOlderOnesAlsoAfterARestart() throws Exception {
     Path file = temp.resolve("heads/heads.jsonl");
-    HeadStore store = HeadStore.open(file);
+    HeadStore store = HeadStore.open(file, CLOCK);
     assertThat(store.keep(head("gps", 5, 'a', robot), robot.certificate())).isEqualTo(Outcome.KEPT);
     assertThat(store.keep(head("gps", 9, 'b', other), other.certificate())).isEqualTo(Outcome.KEPT);
     assertThat(store.keep(head("gps", 7, 'c', robot), robot.certificate())).isEqualTo(Outcome.KEPT);
 
-    HeadStore again = HeadStore.open(file);
+    HeadStore again = HeadStore.open(file, CLOCK);
     assertThat(again.heads()).isEqualTo(store.heads());
     assertThat(again.heads())
         .extracting(each -> each.member().name() + " " + each.head().number())
-        .containsExactly("atrv1 7", "atrv2 9");
+        .containsExactly("atrv1 5", "atrv1 7", "atrv2 9");
     assertThat(again.keep(head("gps", 6, 'd', robot), robot.certificate()))
         .isEqualTo(Outcome.KNOWN);
     assertThat(again.keep(head("gps", 7, 'c', robot), robot.certificate()))
@@ -100,14 +102,42 @@ class HeadStoreTest {
         .isEqualTo(Outcome.CONTRADICTION);
     assertThat(again.keep(head("gps", 8, 'd', other), robot.certificate()))
         .isEqualTo(Outcome.NOT_SIGNED);
-    assertThat(HeadStore.read(file)).isEqualTo(store.heads());
+    assertThat(HeadStore.read(file)).isEqualTo(again.heads());
+    assertThat(again.heads())
+        .extracting(each -> each.member().name() + " " + each.head().hash().charAt(0))
+        .as("what contradicts is kept beside the first")
+        .containsExactly("atrv1 a", "atrv1 c", "atrv1 d", "atrv2 b");
+    assertThat(HeadStore.open(file, CLOCK).heads()).isEqualTo(again.heads());
     assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file)))
         .isEqualTo("rw-------");
   }
 
   @Test
+  void headsThatAreHoursApartStayAndAFloodOfNewOnesReplacesOnlyTheNewest() throws Exception {
+    Path file = temp.resolve("heads/heads.jsonl");
+    AtomicReference<Instant> now = new AtomicReference<>(TIME);
+    HeadStore store = HeadStore.open(file, now::get);
+    long number = 0;
+    for (int hour = 0; hour < 40; hour++) {
+      for (int i = 0; i < 5; i++) {
+        now.set(now.get().plusSeconds(1));
+        assertThat(store.keep(head("gps", ++number, 'a', robot), robot.certificate()))
+            .isEqualTo(Outcome.KEPT);
+      }
+      now.set(now.get().plusSeconds(3600));
+    }
+    List<Long> kept = store.heads().stream().map(each -> each.head().number()).toList();
+    assertThat(kept).hasSize(HeadStore.MOST_OF_STREAM).isSorted().endsWith(number);
+    assertThat(kept.get(0)).as("a day later than the oldest").isBetween(40L, 100L);
+    assertThat(HeadStore.open(file, now::get).heads()).isEqualTo(store.heads());
+    assertThat(store.lastReceived("robot atrv1 of field")).contains(now.get().minusSeconds(3600));
+    assertThat(store.lastReceived("robot atrv2 of field")).isEmpty();
+    assertThat(HeadStore.parse(HeadStore.text(store.heads()), "wire")).isEqualTo(store.heads());
+  }
+
+  @Test
   void aMemberCannotFillIt() throws Exception {
-    HeadStore store = HeadStore.open(temp.resolve("heads/heads.jsonl"));
+    HeadStore store = HeadStore.open(temp.resolve("heads/heads.jsonl"), CLOCK);
     for (int i = 0; i < HeadStore.MOST_STREAMS; i++) {
       assertThat(store.keep(head("s" + i, 1, 'a', robot), robot.certificate()))
           .isEqualTo(Outcome.KEPT);
@@ -125,10 +155,10 @@ class HeadStoreTest {
   @Test
   void aFileOfSomethingElseIsRefusedWithItsLine() throws Exception {
     Path file = temp.resolve("heads/heads.jsonl");
-    HeadStore store = HeadStore.open(file);
+    HeadStore store = HeadStore.open(file, CLOCK);
     Outcome unused = store.keep(head("gps", 5, 'a', robot), robot.certificate());
     Files.writeString(file, Files.readString(file) + "{\"stream\":\"gps\"}\n");
-    assertThatThrownBy(() -> HeadStore.open(file))
+    assertThatThrownBy(() -> HeadStore.open(file, CLOCK))
         .isInstanceOf(IOException.class)
         .hasMessageContaining(file + ":2: this is no head of an audit trail");
     assertThatThrownBy(() -> HeadStore.read(temp.resolve("none")))

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.dfra.cli.Main;
+import org.dfra.core.host.CommandName;
 import org.dfra.core.host.PrivateFiles;
 import org.dfra.examples.harness.DemoEnvironment;
 import org.dfra.report.progress.ProgressReporter;
@@ -56,7 +57,7 @@ final class MemberCommands {
    * Types a command and shows it with its output.
    *
    * @param who types it
-   * @param words after {@code ./dfra}
+   * @param words of the command
    * @return the lines that it prints
    * @throws IOException if it fails
    */
@@ -91,9 +92,13 @@ final class MemberCommands {
   /** Shows a command with lines of its output. */
   void show(String who, List<String> lines, String... words) {
     List<String> shown = new ArrayList<>();
-    shown.add(shown(who + "$ ./dfra " + String.join(" ", words)));
+    shown.add(shown(typed(who, words)));
     lines.forEach(line -> shown.add("  " + shown(line)));
     progress.show(shown);
+  }
+
+  private static String typed(String who, String... words) {
+    return who + "$ " + CommandName.current() + " " + String.join(" ", words);
   }
 
   /** As on a computer where DFRA is the present folder, and the team's files lie in it. */
@@ -147,14 +152,7 @@ final class MemberCommands {
     int exit = process.waitFor();
     if (exit != 0) {
       throw new IOException(
-          shown(
-              who
-                  + "$ ./dfra "
-                  + String.join(" ", words)
-                  + " has exit code "
-                  + exit
-                  + ": "
-                  + String.join(" ", lines)));
+          shown(typed(who, words) + " has exit code " + exit + ": " + String.join(" ", lines)));
     }
     return lines;
   }

@@ -123,8 +123,8 @@ final class SecureSearch {
                 scenes.play();
                 ended.complete(null);
               } catch (Exception | Error e) { // the mission's thread reports it
+                searches.forEach(each -> cancel(each, e));
                 ended.completeExceptionally(e);
-                searches.forEach(SecureSearch::cancel);
               }
             },
             "demo-scenes");
@@ -132,11 +132,11 @@ final class SecureSearch {
     thread.start();
   }
 
-  private static void cancel(RasterSearch search) {
+  private static void cancel(RasterSearch search, Throwable reason) {
     try {
       search.cancel();
     } catch (RemoteException e) {
-      System.err.println("A search could not be cancelled: " + e);
+      reason.addSuppressed(e);
     }
   }
 

@@ -4,10 +4,12 @@ import java.io.IOException;
 import java.lang.reflect.Method;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
+import java.security.PrivateKey;
 import java.security.PublicKey;
 import java.security.cert.X509CRL;
 import java.security.cert.X509Certificate;
 import java.time.Clock;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -15,6 +17,7 @@ import org.dfra.core.audit.AuditEvent;
 import org.dfra.core.audit.AuditKind.SecurityMode;
 import org.dfra.core.audit.AuditTrail;
 import org.dfra.core.audit.AuditedGuard;
+import org.dfra.core.audit.KeptHead;
 import org.dfra.core.policy.BuiltInPolicies;
 import org.dfra.core.policy.InterfaceCatalogue;
 import org.dfra.core.policy.MethodKind;
@@ -31,13 +34,17 @@ import org.dfra.river.identity.TeamCredentials.RobotKey;
 import org.dfra.river.identity.TeamIdentity;
 import org.dfra.river.security.news.TeamNews;
 import org.dfra.security.AccessRequest;
+import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
 import org.dfra.security.Member;
+import org.dfra.security.Visibility;
 import org.jspecify.annotations.Nullable;
 
 /** The parts of a process's identity that change while it runs: its policy, and who is revoked. */
 final class ProcessIdentity {
+
+  private static final Duration HEAD_PATIENCE = Duration.ofSeconds(5);
 
   private final TeamIdentity identity;
   private final RevokedCertificates revoked;
@@ -46,6 +53,7 @@ final class ProcessIdentity {
   private final X509Certificate authority;
   private final @Nullable StoredDelegations delegations;
   private final boolean isClosed;
+  private final @Nullable PrivateKey key; // null if others do not believe its certificate
   private volatile @Nullable AuditTrail audit;
 
   private ProcessIdentity(
@@ -55,9 +63,11 @@ final class ProcessIdentity {
       ReplaceableGuard guard,
       X509Certificate authority,
       @Nullable StoredDelegations delegations,
-      boolean isClosed) {
+      boolean isClosed,
+      @Nullable PrivateKey key) {
     this.delegations = delegations;
     this.isClosed = isClosed;
+    this.key = key;
     this.identity = identity;
     this.revoked = revoked;
     this.policy = policy;
@@ -122,7 +132,8 @@ final class ProcessIdentity {
         asked,
         credentials.authority(),
         delegations,
-        mode == SecurityMode.CLOSED);
+        mode == SecurityMode.CLOSED,
+        mode == SecurityMode.CLOSED ? null : credentials.privateKey());
   }
 
   private static MethodKind kind(Method method) {
@@ -152,7 +163,8 @@ final class ProcessIdentity {
                 asked,
                 false),
             clock);
-    return new ProcessIdentity(identity, revoked, guard, asked, robot.authority(), null, true);
+    return new ProcessIdentity(
+        identity, revoked, guard, asked, robot.authority(), null, true, null);
   }
 
   /** The transport has it before the audit trail is there. */
@@ -168,6 +180,11 @@ final class ProcessIdentity {
     public Decision decide(AccessRequest request) {
       return guard.decide(request);
     }
+
+    @Override
+    public Visibility visibility(Caller caller) {
+      return guard.visibility(caller);
+    }
   }
 
   static Optional<Policy> stored(Path folder, X509Certificate authority) throws IOException {
@@ -182,6 +199,25 @@ final class ProcessIdentity {
   void audit(AuditTrail trail) {
     audit = trail;
     guard.guard = new AuditedGuard(policy, trail, method -> kind(method) == MethodKind.READ);
+  }
+
+  /** Whether there is an audit trail whose end can be signed. */
+  boolean hasHead() {
+    return audit != null && key != null;
+  }
+
+  /**
+   * Signs the end of the audit trail, which is on the disk then.
+   *
+   * @throws IOException if the trail cannot be written now
+   */
+  KeptHead head() throws IOException, InterruptedException {
+    @Nullable AuditTrail trail = audit;
+    @Nullable PrivateKey signer = key;
+    if (trail == null || signer == null) {
+      throw new IOException("this process has no audit trail that others believe");
+    }
+    return KeptHead.of(trail.head(signer, HEAD_PATIENCE), identity.certificate());
   }
 
   /** Records an event, if there is an audit trail. */

@@ -129,7 +129,7 @@ public final class SecureProcess {
     CurrentIdentity.setForProcess(made.identity());
     watch = SecurityWatch.start(folder, made);
     if (mode == SecurityMode.SECURE) {
-      news = new NewsExchange(folder, made.authority(), made::numbers);
+      news = new NewsExchange(folder, made.authority(), made.identity(), made::numbers);
       TrustedCode.trustTeam(new TeamCode(made.authority(), made.revoked(), Clock.systemUTC()));
     }
     return new Installed(mode, made.identity().member().toString(), made.identity().robot(), fault);

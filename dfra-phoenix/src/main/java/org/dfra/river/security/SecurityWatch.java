@@ -17,12 +17,14 @@ import org.dfra.core.policy.PolicyReplacementException;
 import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.SecurityFiles;
 import org.dfra.river.identity.SignedFiles;
+import org.dfra.river.security.news.NewsExchange;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
  * Reads the policy, the list of revoked certificates and delegations again when their files have
- * changed. A file that cannot be used changes nothing: the last good one stays in force.
+ * changed. A file that cannot be used changes nothing: the last good one stays in force. Also has
+ * the end of the audit trail signed in each period.
  *
  * <p>Thread: one daemon, {@code dfra-security}, for the life of the process. It looks at the times
  * of two files twice a second, since a folder that is replaced as a whole cannot be watched.
@@ -43,6 +45,12 @@ final class SecurityWatch implements Runnable {
 
   @GuardedBy("this")
   private List<Object> revokedState;
+
+  @GuardedBy("this")
+  private boolean hasSigned;
+
+  @GuardedBy("this")
+  private long signed; // by System.nanoTime
 
   private SecurityWatch(Path folder, ProcessIdentity identity) {
     this.folder = folder;
@@ -88,8 +96,24 @@ final class SecurityWatch implements Runnable {
       lookAtRevoked();
       lookAtPolicy();
       identity.reloadDelegations();
+      signHeadIfDue();
     } catch (RuntimeException e) { // the next change counts all the same
       LOG.error("A change of {} was not noticed.", folder, e);
+    }
+  }
+
+  /** Soon after the audit trail has begun, and then in each period. */
+  @GuardedBy("this")
+  private void signHeadIfDue() {
+    Optional<NewsExchange> news = SecureProcess.news();
+    if (news.isEmpty() || !identity.hasHead()) {
+      return;
+    }
+    long now = System.nanoTime();
+    if (!hasSigned || now - signed >= NewsExchange.HEADS_PERIOD.toNanos()) {
+      hasSigned = true;
+      signed = now;
+      news.get().publishHead(identity::head);
     }
   }
 

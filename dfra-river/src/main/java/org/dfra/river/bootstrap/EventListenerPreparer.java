@@ -13,6 +13,7 @@ import org.dfra.river.callback.CallbackLimiter;
 import org.dfra.river.callback.CallbackLimiter.CallbackSlot;
 import org.dfra.river.callback.CallbackRefusedException;
 import org.dfra.river.callback.ClientAddress;
+import org.dfra.river.registrar.EventFilter;
 
 /**
  * Prepares the event listeners of one lookup service, for the entries {@code listenerPreparer} and
@@ -71,8 +72,9 @@ public final class EventListenerPreparer implements ProxyPreparer {
   /**
    * Replaces a listener that a client has sent, or that reggie has read from its log.
    *
-   * @throws SecurityException if it is no listener, or if it is in a further process of its client
-   *     and that client's processes have reached their limit
+   * @throws SecurityException if it is no listener, if reggie has read it from its log and its
+   *     owner perhaps does not see everything, or if it is in a further process of its client and
+   *     that client's processes have reached their limit
    */
   @Override
   public Object prepareProxy(Object proxy) throws RemoteException {
@@ -82,9 +84,22 @@ public final class EventListenerPreparer implements ProxyPreparer {
               + proxy.getClass().getName()
               + " as listener; export a RemoteEventListener and send its proxy");
     }
+    if (proxy instanceof QueuedEventListener recovered
+        && isRecovering()
+        && recovered.isFiltered()) {
+      throw new SecurityException(
+          "who owns "
+              + recovered
+              + " is not known after a restart of the lookup service, nor what is hidden from it;"
+              + " it has to register again");
+    }
     ClientAddress client = client(proxy);
     RemoteEventListener listener = unwrapped((RemoteEventListener) proxy);
     return register(listener, client);
+  }
+
+  private synchronized boolean isRecovering() {
+    return !isWatched;
   }
 
   /** Reggie reads its log before it is exported. A client's own claims are not trusted. */
@@ -107,6 +122,7 @@ public final class EventListenerPreparer implements ProxyPreparer {
           new QueuedEventListener(
               listener,
               client.host(),
+              EventFilter.CURRENT.get(),
               CallbackProxies.withDeadline(
                   listener, RemoteEventListener.class, CallbackProxies.DEADLINE),
               place.lane());

@@ -13,6 +13,7 @@ import java.util.concurrent.Executor;
 import net.jini.core.event.RemoteEvent;
 import net.jini.core.event.RemoteEventListener;
 import net.jini.core.event.UnknownEventException;
+import org.dfra.river.registrar.EventFilter;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -42,18 +43,27 @@ final class QueuedEventListener implements RemoteEventListener, Serializable {
 
   private final RemoteEventListener listener;
   private final String client;
+  private final boolean isFiltered; // false in logs of former versions
+  private final transient @Nullable EventFilter filter;
   private final transient @Nullable Deliveries deliveries; // null if it was deserialized
 
   /**
    * @param listener the client's original
    * @param client the client's address
+   * @param filter what the client sees of the events; null for all of them
    * @param bounded the same listener, called under a deadline
    * @param lane runs the calls; it drops none
    */
   QueuedEventListener(
-      RemoteEventListener listener, String client, RemoteEventListener bounded, Executor lane) {
+      RemoteEventListener listener,
+      String client,
+      @Nullable EventFilter filter,
+      RemoteEventListener bounded,
+      Executor lane) {
     this.listener = listener;
     this.client = client;
+    this.filter = filter;
+    this.isFiltered = filter != null;
     this.deliveries = new Deliveries(bounded, lane);
   }
 
@@ -78,6 +88,8 @@ final class QueuedEventListener implements RemoteEventListener, Serializable {
   private QueuedEventListener(RemoteEventListener listener, String client) {
     this.listener = listener;
     this.client = client;
+    this.filter = null;
+    this.isFiltered = false;
     this.deliveries = null;
   }
 
@@ -91,7 +103,12 @@ final class QueuedEventListener implements RemoteEventListener, Serializable {
     return client;
   }
 
-  /** Queues an event; never waits for the listener. */
+  /** Whether its client perhaps does not see everything. */
+  boolean isFiltered() {
+    return isFiltered;
+  }
+
+  /** Queues an event, unless the client does not see it; never waits for the listener. */
   @Override
   public void notify(RemoteEvent event) throws UnknownEventException, RemoteException {
     if (deliveries == null) {
@@ -99,7 +116,10 @@ final class QueuedEventListener implements RemoteEventListener, Serializable {
           "a listener that was read from a log is not prepared; name EventListenerPreparer as"
               + " recoveredListenerPreparer in the lookup service's configuration");
     }
-    deliveries.offer(event);
+    @Nullable RemoteEvent seen = filter == null ? event : filter.filtered(event);
+    if (seen != null) {
+      deliveries.offer(seen);
+    }
   }
 
   /** Stops the delivery. */

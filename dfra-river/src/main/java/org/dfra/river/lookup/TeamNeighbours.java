@@ -33,8 +33,8 @@ final class TeamNeighbours {
     }
   }
 
-  /** Exchanges with those that are not known to have the same, if this process is secure. */
+  /** Exchanges with those where something is due, if this process is secure. */
   void exchangeNews() {
-    SecureProcess.news().ifPresent(news -> processes.values().forEach(news::with));
+    SecureProcess.news().ifPresent(news -> processes.forEach(news::with));
   }
 }

@@ -8,6 +8,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Function;
 import net.jini.core.lookup.ServiceID;
 import org.jspecify.annotations.Nullable;
 
@@ -33,6 +34,7 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
   private final List<?> entryClasses; // descriptors
   private final Object reggie;
   private final Field objectType;
+  private final Field ownId;
   private final Field maxServiceLease; // milliseconds
   private final Field maxListenerLease;
   private final Field serviceEnd; // milliseconds of the system clock
@@ -58,6 +60,7 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
     listeners = (Map<?, ?>) ReggieFields.accessible(type, "eventByID").get(reggie);
     attributes = (Map<?, ?>) ReggieFields.accessible(type, "serviceByAttr").get(reggie);
     entryClasses = (List<?>) ReggieFields.accessible(type, "entryClasses").get(reggie);
+    ownId = ReggieFields.accessible(type, "myServiceID");
     objectType = ReggieFields.accessible(type, "objectServiceType");
     maxServiceLease = ReggieFields.accessible(type, "maxServiceLease");
     maxListenerLease = ReggieFields.accessible(type, "maxEventLease");
@@ -116,6 +119,51 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
       lock.readUnlock();
     }
     return all;
+  }
+
+  /**
+   * What a function makes of the items of all registered services, itself included, in reggie's
+   * form.
+   *
+   * @param function called under reggie's lock; the item changes later. Null omits an item
+   */
+  List<Object> select(Function<Object, @Nullable Object> function) {
+    List<Object> selected = new ArrayList<>();
+    lock.readLock();
+    try {
+      long now = System.currentTimeMillis();
+      for (Object each : services.values()) {
+        @Nullable Object made =
+            ReggieFields.number(serviceEnd, each) > now
+                ? function.apply(ReggieFields.present(item, each))
+                : null;
+        if (made != null) {
+          selected.add(made);
+        }
+      }
+      return selected;
+    } finally {
+      lock.readUnlock();
+    }
+  }
+
+  /** The same of one service; null if it is not registered. */
+  @Nullable Object select(ServiceID service, Function<Object, @Nullable Object> function) {
+    lock.readLock();
+    try {
+      @Nullable Object registration = services.get(service);
+      return registration == null
+              || ReggieFields.number(serviceEnd, registration) <= System.currentTimeMillis()
+          ? null
+          : function.apply(ReggieFields.present(item, registration));
+    } finally {
+      lock.readUnlock();
+    }
+  }
+
+  /** Its own identifier. */
+  ServiceID ownId() {
+    return (ServiceID) ReggieFields.present(ownId, reggie);
   }
 
   /** The item of a service in reggie's form; null if it is not registered. */

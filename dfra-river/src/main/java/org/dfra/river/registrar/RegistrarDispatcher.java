@@ -14,8 +14,10 @@ import java.util.Arrays;
 import java.util.Collection;
 import java.util.concurrent.TimeUnit;
 import net.jini.core.constraint.MethodConstraints;
+import net.jini.core.entry.Entry;
 import net.jini.core.event.EventRegistration;
 import net.jini.core.lookup.ServiceID;
+import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceRegistration;
 import net.jini.jeri.ServerCapabilities;
 import org.dfra.directory.RegistrationRefusedException;
@@ -25,11 +27,13 @@ import org.dfra.river.access.OwnAddresses;
 import org.dfra.river.access.RemoteCaller;
 import org.dfra.river.registrar.RegistrationRules.RegistrationOrigin;
 import org.dfra.security.Caller;
+import org.dfra.security.Visibility;
 import org.jspecify.annotations.Nullable;
 
 /**
  * A dispatcher in front of reggie. It applies {@link RegistrationRules} to every registration, and
- * {@link ReggieArgumentValidator} to every call.
+ * {@link ReggieArgumentValidator} to every call. What the guard hides from a caller is neither in
+ * an answer nor in an event ({@link VisibleLookup}, {@link VisibleEvents}).
  *
  * <p>If reggie was started from its snapshot, the origin of a registration is unknown. A
  * registration whose entries name the robot counts as the robot's own. Another one counts as made
@@ -48,11 +52,19 @@ final class RegistrarDispatcher extends GuardedDispatcher {
   private static final String REGISTRAR = "com.sun.jini.reggie.Registrar";
   private static final String CHANGE = "modifyAttributes";
 
+  /** A transition of which nothing is seen may be another one that is. */
+  private static final int ALL_TRANSITIONS =
+      ServiceRegistrar.TRANSITION_MATCH_NOMATCH
+          | ServiceRegistrar.TRANSITION_NOMATCH_MATCH
+          | ServiceRegistrar.TRANSITION_MATCH_MATCH;
+
   private final RegistrationPolicy policy;
   private final OwnAddresses own;
   private final ReggieState state;
   private final RobotClaimReader claims;
   private final ReggieArgumentValidator arguments;
+  private final ReggieItems items;
+  private final VisibleLookup lookup;
 
   private final RegistrationRules rules; // guarded by this
 
@@ -87,6 +99,13 @@ final class RegistrarDispatcher extends GuardedDispatcher {
       EntryDescriptorReader descriptors = new EntryDescriptorReader(its);
       this.claims = new RobotClaimReader(its, descriptors);
       this.arguments = new ReggieArgumentValidator(its, state, descriptors);
+      this.items = new ReggieItems(its);
+      this.lookup =
+          new VisibleLookup(
+              state,
+              new ReggieMatcher(ReggieFields.owner(reggie)),
+              items,
+              new VisibleItems(its, items, claims, descriptors));
     } catch (UnknownHostException e) {
       throw new ExportException(
           "host " + host + " is not known; export at an address of this machine", e);
@@ -108,20 +127,44 @@ final class RegistrarDispatcher extends GuardedDispatcher {
    */
   @Override
   @SuppressWarnings("rawtypes") // as River declares it
-  protected Object invoke(Remote impl, Method method, Object[] args, Collection context)
+  protected @Nullable Object invoke(Remote impl, Method method, Object[] args, Collection context)
       throws Throwable {
     if (!method.getDeclaringClass().getName().equals(REGISTRAR)) {
-      return super.invoke(impl, method, args, context);
+      Object answer = super.invoke(impl, method, args, context);
+      return method.getName().equals("getLookupAttributes")
+          ? seen((Entry[]) answer, context)
+          : answer;
     }
     refusing(() -> arguments.check(method.getName(), args));
+    if (VisibleLookup.answers(method.getName())) {
+      return read(impl, method, args, context);
+    }
     limitRenewal(method.getName(), args);
     return switch (method.getName()) {
       case "register" -> register(impl, method, args, context);
       case "notify" -> listen(impl, method, args, context);
       case CHANGE, "addAttributes", "setAttributes" -> change(impl, method, args, context);
-      case "getFieldValues" -> withRobotFirst(super.invoke(impl, method, args, context));
       default -> super.invoke(impl, method, args, context);
     };
+  }
+
+  /** A call that reads: reggie answers it if its caller sees everything. */
+  @SuppressWarnings("rawtypes") // as River declares it
+  private @Nullable Object read(Remote impl, Method method, Object[] args, Collection context)
+      throws Throwable {
+    Visibility seen = visibility(caller(context));
+    @Nullable Object answer =
+        seen.isComplete()
+            ? super.invoke(impl, method, args, context)
+            : lookup.answer(method.getName(), args, seen);
+    return method.getName().equals("getFieldValues") ? withRobotFirst(answer) : answer;
+  }
+
+  /** The attributes of the registrar itself, as a caller sees them. */
+  private Entry[] seen(Entry[] own, Collection<?> context) {
+    Visibility seen = visibility(caller(context));
+    @Nullable Object itself = seen.isComplete() ? null : state.item(state.ownId());
+    return itself == null ? own : lookup.ownEntries(own, itself, seen);
   }
 
   /**
@@ -129,7 +172,7 @@ final class RegistrarDispatcher extends GuardedDispatcher {
    * name, so an emergency stop, which reads the robots in this order, reads its effectors before
    * those of strangers, however many these are.
    */
-  private Object withRobotFirst(Object answer) {
+  private @Nullable Object withRobotFirst(@Nullable Object answer) {
     if (answer instanceof Object[] values) {
       int at = Arrays.asList(values).indexOf(policy.robot());
       if (at > 0) {
@@ -189,9 +232,37 @@ final class RegistrarDispatcher extends GuardedDispatcher {
     RegistrationOrigin from = source(context);
     long bytes = size(from, args); // template, listener and handback
     refusing(() -> rules.checkListener(from, bytes));
-    Object registration = super.invoke(impl, method, args, context);
+    @Nullable EventFilter filter = filter(args, caller(context));
+    EventFilter.CURRENT.set(filter);
+    Object registration;
+    try {
+      registration = super.invoke(impl, method, args, context);
+    } finally {
+      EventFilter.CURRENT.remove();
+    }
     rules.addListener(from, ((EventRegistration) registration).getID(), bytes);
     return registration;
+  }
+
+  /**
+   * The filter of a listener. It is there even if nothing is hidden yet, since another policy may
+   * replace the present one.
+   *
+   * @return null if nothing is ever hidden from the owner
+   */
+  private @Nullable EventFilter filter(Object[] args, Caller owner) {
+    if (!isGuarded() || owner.standing() == Caller.Standing.OWN) {
+      return null;
+    }
+    int transitions = (int) args[1];
+    VisibleEvents filter =
+        new VisibleEvents(lookup, items, args[0], transitions, () -> visibility(owner));
+    boolean isValid = transitions > 0 && transitions <= ALL_TRANSITIONS; // reggie refuses others
+    if (isValid && !visibility(owner).isComplete()) {
+      args[1] = ALL_TRANSITIONS;
+      return filter.started();
+    }
+    return filter;
   }
 
   /** A lease holder changes a registration: the change could claim the robot's name. */

@@ -27,6 +27,7 @@ final class RobotClaimReader {
           PersonaEntry.class, index(PersonaEntry.class, "robot"));
 
   private static final int HOST = index(ModuleEntry.class, "host");
+  private static final int NAME = index(ModuleEntry.class, "name");
 
   private final Field entryClass;
   private final Field fields;
@@ -119,12 +120,33 @@ final class RobotClaimReader {
 
   /** The host in the entries of a module; null if they have none. */
   @Nullable String host(Object @Nullable [] entries) {
+    return text(entries, ModuleEntry.class, HOST);
+  }
+
+  /** The name in the entries of a module; null if they have none. */
+  @Nullable String name(Object @Nullable [] entries) {
+    return text(entries, ModuleEntry.class, NAME);
+  }
+
+  /** The robot in the entries of a module or of a robot; null if they have none. */
+  @Nullable String robot(Object @Nullable [] entries) {
+    for (Map.Entry<Class<?>, Integer> each : ROBOT.entrySet()) {
+      @Nullable String robot = text(entries, each.getKey(), each.getValue());
+      if (robot != null) {
+        return robot;
+      }
+    }
+    return null;
+  }
+
+  /** A field of the first entry of a class; null if there is none, or it is no text. */
+  private @Nullable String text(Object @Nullable [] entries, Class<?> of, int at) {
     if (entries != null) {
       for (Object each : entries) {
         @Nullable Class<?> type = each == null ? null : type(each);
-        if (each != null && type != null && ModuleEntry.class.isAssignableFrom(type)) {
+        if (each != null && type != null && of.isAssignableFrom(type)) {
           @Nullable Object[] values = values(each);
-          return HOST < values.length && values[HOST] instanceof String host ? host : null;
+          return at < values.length && values[at] instanceof String text ? text : null;
         }
       }
     }
@@ -140,7 +162,7 @@ final class RobotClaimReader {
    * The class of an entry, if it is known here and equals the client's. The superclasses that a
    * client sends prove nothing: reggie finds an entry by them, whatever the name of its class.
    */
-  private @Nullable Class<?> type(Object entry) {
+  @Nullable Class<?> type(Object entry) {
     @Nullable Object described = ReggieFields.value(entryClass, entry);
     @Nullable String name = described == null ? null : descriptors.name(described);
     if (described == null || name == null) {

@@ -29,7 +29,7 @@ class QueuedEventListenerTest {
   }
 
   private static QueuedEventListener of(RemoteEventListener listener) {
-    return new QueuedEventListener(listener, "192.0.2.7", listener, Runnable::run);
+    return new QueuedEventListener(listener, "192.0.2.7", null, listener, Runnable::run);
   }
 
   private static Object copy(QueuedEventListener listener)

@@ -7,30 +7,39 @@ import java.rmi.Remote;
 import java.rmi.server.ExportException;
 import java.security.cert.X509Certificate;
 import java.time.Duration;
+import java.time.InstantSource;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.UUID;
+import java.util.concurrent.Callable;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import net.jini.export.Exporter;
 import net.jini.id.Uuid;
 import net.jini.id.UuidFactory;
 import net.jini.jeri.BasicObjectEndpoint;
+import org.dfra.core.audit.HeadStore;
+import org.dfra.core.audit.KeptHead;
 import org.dfra.core.time.BoundedThreads;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.call.JeriExporters;
 import org.dfra.river.call.PeerAddress;
+import org.dfra.river.identity.TeamIdentity;
 import org.dfra.river.security.news.TeamNews.Numbers;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
  * Exchanges with other processes what the authority of the team has published: the older of both
- * takes over what the newer one has.
+ * takes over what the newer one has. Also exchanges the ends of audit trails, which both keep.
  *
  * <p>Threads: at most {@value #THREADS} daemons, {@code dfra-news-n}, which end when idle.
  */
@@ -45,8 +54,17 @@ public final class NewsExchange {
   private static final int IDLE_SECONDS = 10;
   private static final Duration DEADLINE = Duration.ofSeconds(2);
 
+  /** Heads of audit trails are exchanged with a robot this often. */
+  public static final Duration HEADS_PERIOD = Duration.ofSeconds(60);
+
+  /** Another process of the robot exchanged them in the same period. */
+  private static final Duration RECENT = HEADS_PERIOD.minusSeconds(5);
+
   private final NewsFiles files;
+  private final HeadFiles heads;
   private final Supplier<Numbers> own;
+  private final String team;
+  private final String ownRobot; // empty for a person
   private final NewsService service;
   private final ThreadPoolExecutor threads =
       BoundedThreads.create("dfra-news-", THREADS, IDLE_SECONDS);
@@ -55,6 +73,10 @@ public final class NewsExchange {
   @GuardedBy("this")
   private final Map<PeerAddress, Numbers> known = new HashMap<>();
 
+  /** When heads were last exchanged with a robot, by its name; by System.nanoTime. */
+  @GuardedBy("this")
+  private final Map<String, Long> headsTried = new HashMap<>();
+
   @GuardedBy("this")
   private final Set<PeerAddress> underWay = new HashSet<>();
 
@@ -62,14 +84,20 @@ public final class NewsExchange {
   private final Set<String> exported = new HashSet<>(); // hosts
 
   /**
-   * @param folder with the identity
+   * @param folder with the identity, in the state folder
    * @param authority of the team
+   * @param identity of this process
    * @param own what is in force in this process
    */
-  public NewsExchange(Path folder, X509Certificate authority, Supplier<Numbers> own) {
+  public NewsExchange(
+      Path folder, X509Certificate authority, TeamIdentity identity, Supplier<Numbers> own) {
     this.files = new NewsFiles(folder, authority);
+    Path state = Objects.requireNonNull(folder.toAbsolutePath().getParent());
+    this.heads = new HeadFiles(state, identity, InstantSource.system());
     this.own = own;
-    this.service = new NewsService(files, own);
+    this.team = identity.member().team();
+    this.ownRobot = identity.robot();
+    this.service = new NewsService(files, heads, own);
   }
 
   private static Uuid identity(String text) {
@@ -93,18 +121,26 @@ public final class NewsExchange {
   }
 
   /**
-   * Exchanges with a process, unless it is known to have the same. Does not wait.
+   * Exchanges with a process, unless it is known to have the same and the heads of audit trails are
+   * not due. Does not wait.
    *
+   * @param robot whose process it says that it is
    * @param process where it exports something
    */
-  public void with(PeerAddress process) {
+  public void with(String robot, PeerAddress process) {
+    boolean areHeadsDue;
     synchronized (this) {
-      if (own.get().equals(known.get(process)) || !underWay.add(process)) {
+      areHeadsDue = areHeadsDue(robot);
+      boolean isSame = own.get().equals(known.get(process));
+      if ((isSame && !areHeadsDue) || !underWay.add(process)) {
         return;
+      }
+      if (areHeadsDue) {
+        headsTried.put(robot, System.nanoTime());
       }
     }
     try {
-      threads.execute(() -> exchange(process));
+      threads.execute(() -> exchange(robot, process, areHeadsDue));
     } catch (RejectedExecutionException | OutOfMemoryError e) { // no further thread
       LOG.warn("News are not exchanged with {} for now: {}", process, e.toString());
       synchronized (this) {
@@ -121,12 +157,64 @@ public final class NewsExchange {
    * @throws IOException if it cannot be asked, or does not take what the authority has signed
    */
   public Numbers exchangeNow(PeerAddress process) throws IOException {
-    TeamNews news = proxy(process);
+    TeamNews news = of(process);
     Numbers unused = exchange(news);
     return news.numbers();
   }
 
-  private static TeamNews proxy(PeerAddress process) {
+  /** What is in force in this process. */
+  public Numbers own() {
+    return own.get();
+  }
+
+  @GuardedBy("this")
+  private boolean areHeadsDue(String robot) {
+    if (robot.equals(ownRobot)) {
+      return false; // its head beside its trail proves nothing
+    }
+    @Nullable Long tried = headsTried.get(robot);
+    return tried == null
+        ? headsTried.size() < HeadStore.MOST_HEADS // as many robots can be kept
+        : System.nanoTime() - tried >= HEADS_PERIOD.toNanos();
+  }
+
+  private void exchange(String robot, PeerAddress process, boolean areHeadsDue) {
+    Numbers theirs = null;
+    try {
+      TeamNews news = of(process);
+      theirs = exchange(news);
+      if (areHeadsDue && !heads.isRecent("robot " + robot + " of " + team, RECENT)) {
+        exchangeHeads(news);
+      }
+    } catch (IOException | RuntimeException e) { // it is asked again at the next occasion
+      LOG.debug("No exchange of news with {}.", process, e);
+    } finally {
+      synchronized (this) {
+        underWay.remove(process);
+        if (theirs != null) {
+          known.put(process, theirs);
+        }
+        notifyAll();
+      }
+    }
+  }
+
+  /**
+   * Waits until no exchange is under way, such as at the end of a command.
+   *
+   * @param patience longest time that this waits
+   * @throws InterruptedException if this thread is interrupted
+   */
+  public synchronized void awaitExchanges(Duration patience) throws InterruptedException {
+    long end = System.nanoTime() + patience.toNanos();
+    long left = patience.toNanos();
+    while (!underWay.isEmpty() && left > 0) {
+      TimeUnit.NANOSECONDS.timedWait(this, left);
+      left = end - System.nanoTime();
+    }
+  }
+
+  private static TeamNews of(PeerAddress process) {
     return (TeamNews)
         DeadlineILFactory.proxy(
             new BasicObjectEndpoint(
@@ -136,24 +224,43 @@ public final class NewsExchange {
             TeamNews.class);
   }
 
-  /** What is in force in this process. */
-  public Numbers own() {
-    return own.get();
+  /** Gives another process the ends of the own audit trails, and keeps those of its own. */
+  void exchangeHeads(TeamNews other) throws IOException {
+    heads.take(other.exchangeHeads(heads.own()));
   }
 
-  private void exchange(PeerAddress process) {
-    Numbers theirs = null;
+  /**
+   * The ends of a member's audit trails that another process keeps.
+   *
+   * @param process where it exports something
+   * @param member such as {@code robot atrv1 of field}
+   * @throws IOException if it does not answer, or with something else
+   */
+  public static List<KeptHead> keptBy(PeerAddress process, String member) throws IOException {
+    return HeadStore.parse(of(process).keptHeads(member), "the answer of " + process);
+  }
+
+  /**
+   * Publishes the end of this process's audit trail: others get it by the next exchanges. Does not
+   * wait.
+   *
+   * @param sign signs it; throws if the trail cannot be written now
+   */
+  public void publishHead(Callable<KeptHead> sign) {
     try {
-      theirs = exchange(proxy(process));
-    } catch (IOException | RuntimeException e) { // it is asked again at the next occasion
-      LOG.debug("No exchange of news with {}.", process, e);
-    } finally {
-      synchronized (this) {
-        underWay.remove(process);
-        if (theirs != null) {
-          known.put(process, theirs);
-        }
-      }
+      threads.execute(() -> publish(sign));
+    } catch (RejectedExecutionException | OutOfMemoryError e) { // no further thread
+      LOG.warn("The end of the audit trail is not signed for now: {}", e.toString());
+    }
+  }
+
+  private void publish(Callable<KeptHead> sign) {
+    try {
+      heads.writeOwn(sign.call());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } catch (Exception e) { // it is signed again in the next period
+      LOG.warn("The end of the audit trail is not signed: {}", e.getMessage());
     }
   }
 
