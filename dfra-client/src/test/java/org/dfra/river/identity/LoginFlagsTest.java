@@ -181,7 +181,9 @@ class LoginFlagsTest {
   void theModuleOfTheReferenceDecidesByTheTimeOfDay() throws Exception {
     Matcher example = EXAMPLE.matcher(Files.readString(REFERENCE));
     assertThat(example.find()).isTrue();
-    Path source = Files.createDirectories(temp.resolve("org/dfra/example/login")).resolve("WorkingHours.java");
+    Path source =
+        Files.createDirectories(temp.resolve("org/dfra/example/login"))
+            .resolve("WorkingHours.java");
     Path unused = Files.writeString(source, example.group(1));
     JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
     StringWriter output = new StringWriter();
@@ -214,6 +216,10 @@ class LoginFlagsTest {
   }
 
   private static String hours(String from, String until) {
-    return "org.dfra.example.login.WorkingHours required from=\"" + from + "\" until=\"" + until + "\";";
+    return "org.dfra.example.login.WorkingHours required from=\""
+        + from
+        + "\" until=\""
+        + until
+        + "\";";
   }
 }

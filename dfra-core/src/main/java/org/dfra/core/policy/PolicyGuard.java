@@ -118,7 +118,7 @@ public final class PolicyGuard implements Guard {
   @Override
   public Visibility visibility(Caller caller) {
     ActivePolicy now = active;
-    return now.visibility(recognised(caller, now.policy()));
+    return now.visibility(recognised(caller.alone(), now.policy())); // it sees for itself
   }
 
   /** The decision of a rule that applies, after its rate and its confirmation are checked. */
