@@ -132,9 +132,10 @@ class DistributedLayerTest {
         .containsOnly(JERI_ACTIVATION_ID);
   }
 
+  /** It keeps the identity with which it was received. */
   @Test
-  void aProxyNeedsTheApiTheRemoteInterfaceTheEntriesAndCallsOnly() {
-    check(PROXY, dependsWithinDfraOnlyOn(PROXY, join(PROXY, API, REMOTE, ENTRY, CALL)));
+  void aProxyNeedsTheApiTheRemoteInterfaceTheEntriesCallsAndItsIdentityOnly() {
+    check(PROXY, dependsWithinDfraOnlyOn(PROXY, join(PROXY, API, REMOTE, ENTRY, CALL, IDENTITY)));
   }
 
   @Test

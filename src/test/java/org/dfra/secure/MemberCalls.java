@@ -12,11 +12,14 @@ import net.jini.core.lookup.ServiceItem;
 import net.jini.core.lookup.ServiceRegistrar;
 import net.jini.core.lookup.ServiceTemplate;
 import org.awaitility.Awaitility;
+import org.dfra.core.policy.MethodKind;
+import org.dfra.core.policy.MethodKinds;
 import org.dfra.module.Module;
 import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.identity.IdentityFolder;
 import org.dfra.river.identity.RevokedCertificates;
 import org.dfra.river.identity.RobotAlone;
+import org.dfra.river.identity.StoredDelegations;
 import org.dfra.river.identity.TeamCredentials;
 import org.dfra.river.identity.TeamIdentity;
 import org.dfra.security.Decision;
@@ -74,6 +77,19 @@ final class MemberCalls {
                 request -> Decision.permit("test"),
                 false),
             Clock.systemUTC()));
+  }
+
+  /** Lets commands carry the delegations in a folder. */
+  void carryDelegations(Path security) throws Exception {
+    StoredDelegations delegations =
+        new StoredDelegations(
+            security,
+            IdentityFolder.load(security),
+            method ->
+                MethodKinds.of(method.getDeclaringClass(), method).kind() == MethodKind.COMMAND,
+            Clock.systemUTC());
+    delegations.reload();
+    identity.carry(delegations);
   }
 
   /** Calls: what is received and exported meanwhile keeps this identity. */

@@ -57,6 +57,14 @@ final class TeamRobots {
         .formatted(System.getProperty("dfra.root"), link);
   }
 
+  /** The behaviour {@code route}, without anything that could drive. */
+  static String route() {
+    return """
+    <module name="route" properties="%s/config/modules/follow-waypoints.properties"/>
+    """
+        .formatted(System.getProperty("dfra.root"));
+  }
+
   /** The GPS receiver {@code gps_front}, emulated. */
   static String gps(String link) {
     return """

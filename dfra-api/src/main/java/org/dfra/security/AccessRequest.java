@@ -24,6 +24,11 @@ public record AccessRequest(
     this(caller, robot, object, method.getDeclaringClass(), method);
   }
 
+  /** The same call by another caller. */
+  public AccessRequest by(Caller other) {
+    return new AccessRequest(other, robot, object, type, method);
+  }
+
   /** The method in sentences, such as {@code Effector.execute}. */
   public String methodName() {
     return method.getDeclaringClass().getSimpleName() + "." + method.getName();

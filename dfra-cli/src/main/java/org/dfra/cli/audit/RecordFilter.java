@@ -30,12 +30,16 @@ record RecordFilter(
         && (!isDeniedOnly || isRefused(line));
   }
 
-  /** A member's text is its role, its name and its team. */
   private static boolean isCaller(String name, AuditLine line) {
-    String[] words = line.member().split(" ", -1);
-    return name.equals(line.member())
-        || name.equals(line.address())
-        || (words.length > 1 && name.equals(words[1]));
+    return name.equals(line.address())
+        || isMember(name, line.member())
+        || isMember(name, line.behalf());
+  }
+
+  /** A member's text is its role, its name and its team. */
+  private static boolean isMember(String name, String text) {
+    String[] words = text.split(" ", -1);
+    return name.equals(text) || (words.length > 1 && name.equals(words[1]));
   }
 
   private static boolean isRefused(AuditLine line) {

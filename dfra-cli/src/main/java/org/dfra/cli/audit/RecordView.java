@@ -20,6 +20,7 @@ record RecordView(
     String kind,
     String standing,
     String member,
+    String behalf,
     String address,
     String robot,
     String object,
@@ -46,6 +47,7 @@ record RecordView(
         line.kind(),
         line.standing(),
         line.member(),
+        line.behalf(),
         line.address(),
         line.robot(),
         line.object(),
@@ -71,7 +73,8 @@ record RecordView(
     if (standing.isEmpty()) {
       return "process " + stream;
     }
-    String who = member.isEmpty() ? "a stranger" : member;
+    String who =
+        (member.isEmpty() ? "a stranger" : member) + (behalf.isEmpty() ? "" : " for " + behalf);
     String proved = standing.equals("expired") ? ", expired" : "";
     return who + proved + " (" + address + ")";
   }

@@ -23,8 +23,9 @@ import picocli.CommandLine.Mixin;
       "Exits with 1 if the policy has faults, and prints each with file and line. In the table,",
       "\"some\" means that the policy permits some methods of the kind and denies others, and",
       "\"depends\" that it depends on a condition, a rate or a confirmation. The objects that are",
-      "called belong to another robot than the caller, except in the column OWN. If the policy has",
-      "<hide>, the rows \"services\" and \"entry\" say what callers see in lookup services: shown,",
+      "called belong to another robot than the caller, except in the column OWN. In the",
+      "column DELEGATE a robot calls on an operator's behalf. If the policy has <hide>,",
+      "the rows \"services\" and \"entry\" say what callers see in lookup services: shown,",
       "hidden, or some. They are about services without a name or a type that a rule names."
     })
 final class CheckCommand implements Callable<Integer> {

@@ -3,17 +3,20 @@ package org.dfra.cli.policy;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.NoSuchElementException;
 import java.util.concurrent.Callable;
 import org.dfra.core.config.NearestName;
 import org.dfra.core.policy.CalledMethod;
 import org.dfra.core.policy.InterfaceCatalogue;
 import org.dfra.core.policy.InterfaceCatalogue.CataloguedInterface;
+import org.dfra.core.policy.MethodKind;
 import org.dfra.core.policy.Policy;
 import org.dfra.core.policy.PolicyExplanation;
 import org.dfra.core.policy.PolicyRule;
 import org.dfra.report.terminal.CommandFailure;
 import org.dfra.report.terminal.CommandOutput;
 import org.dfra.report.terminal.ExitCode;
+import org.dfra.security.Behalf;
 import org.dfra.security.Caller;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -41,6 +44,12 @@ final class ExplainCommand implements Callable<Integer> {
           "A role and a name, such as \"operator anna\", \"expired operator anna\", stranger, or own"
               + " for a process of the same robot.")
   private String who = "";
+
+  @Option(
+      names = "--for",
+      paramLabel = "CALLER",
+      description = "On whose behalf it calls, such as \"operator anna\" (default: its own).")
+  private @Nullable String behalf;
 
   @Option(
       names = "--what",
@@ -89,7 +98,8 @@ final class ExplainCommand implements Callable<Integer> {
       @Nullable RuleView rule,
       List<String> obligations,
       List<RuleView> conditional,
-      List<RuleView> nearMisses) {}
+      List<RuleView> nearMisses,
+      @Nullable ExplanationView principal) {}
 
   @Override
   public Integer call() {
@@ -101,10 +111,34 @@ final class ExplainCommand implements Callable<Integer> {
       return ExitCode.SUCCESS;
     }
     CalledMethod method = method(PolicyFile.catalogue());
-    PolicyExplanation explanation = PolicyExplanation.of(policy, caller, method, robot, object);
-    ExplanationView view = view(caller, method, explanation);
-    answer.lines(view, lines(view, explanation, policy));
+    if (behalf == null || method.kind() == MethodKind.STOP) {
+      PolicyExplanation explanation = PolicyExplanation.of(policy, caller, method, robot, object);
+      ExplanationView view = view(caller, method, explanation, null);
+      answer.lines(view, lines(view, explanation, policy));
+    } else {
+      explainBoth(policy, caller, CallerArgument.parse(behalf, policy.team(), robot), method);
+    }
     return ExitCode.SUCCESS;
+  }
+
+  /** A call on somebody's behalf runs only if both are permitted. */
+  private void explainBoth(Policy policy, Caller bearer, Caller principal, CalledMethod method) {
+    Caller both;
+    try {
+      both = bearer.onBehalfOf(Behalf.of(principal.member().orElseThrow()));
+    } catch (IllegalArgumentException | NoSuchElementException e) {
+      throw new CommandFailure(
+          ExitCode.USAGE_ERROR, "nobody calls for a stranger, and a stranger for nobody", e);
+    }
+    PolicyExplanation first = PolicyExplanation.of(policy, both, method, robot, object);
+    PolicyExplanation second = PolicyExplanation.of(policy, principal, method, robot, object);
+    ExplanationView principals = view(principal, method, second, null);
+    ExplanationView view = view(both, method, first, principals);
+    List<String> lines = new ArrayList<>();
+    lines.add("A call on somebody's behalf must be permitted to both.");
+    lines.addAll(lines(view, first, policy));
+    lines.addAll(lines(principals, second, policy));
+    answer.lines(view, lines);
   }
 
   private CalledMethod method(InterfaceCatalogue catalogue) {
@@ -142,7 +176,11 @@ final class ExplainCommand implements Callable<Integer> {
     return CalledMethod.of(known, name, catalogue);
   }
 
-  private ExplanationView view(Caller caller, CalledMethod method, PolicyExplanation found) {
+  private ExplanationView view(
+      Caller caller,
+      CalledMethod method,
+      PolicyExplanation found,
+      @Nullable ExplanationView principal) {
     @Nullable PolicyRule deciding = found.deciding();
     List<RuleView> conditional = new ArrayList<>();
     found.conditional().forEach(each -> conditional.add(RuleView.of(each, ifHolds(each))));
@@ -150,13 +188,15 @@ final class ExplainCommand implements Callable<Integer> {
     found.nearMisses().forEach(each -> misses.add(RuleView.of(each.rule(), each.reason())));
     return new ExplanationView(
         found.outcome().name().toLowerCase(Locale.ROOT),
-        caller.member().map(Object::toString).orElse("stranger"),
+        caller.member().map(Object::toString).orElse("stranger")
+            + caller.behalf().map(each -> " for " + each).orElse(""),
         what,
         method.kind().text(),
         deciding == null ? null : RuleView.of(deciding, ""),
         deciding == null ? List.of() : deciding.obligations().inWords(),
         conditional,
-        misses);
+        misses,
+        principal);
   }
 
   private static String ifHolds(PolicyRule rule) {

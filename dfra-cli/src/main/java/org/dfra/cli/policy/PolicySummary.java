@@ -16,6 +16,7 @@ import org.dfra.core.policy.Policy;
 import org.dfra.core.policy.PolicyExplanation;
 import org.dfra.core.policy.PolicyExplanation.Outcome;
 import org.dfra.core.policy.PolicyVisibility;
+import org.dfra.security.Behalf;
 import org.dfra.security.Caller;
 import org.dfra.security.Caller.Standing;
 import org.dfra.security.Member;
@@ -51,9 +52,16 @@ final class PolicySummary {
     for (MemberRole each : List.of(MemberRole.OPERATOR, MemberRole.ROBOT, MemberRole.OBSERVER)) {
       rows.add(row(each.text(), policy, caller(Standing.MEMBER, team, each, OTHER)));
     }
+    rows.add(row("delegate", policy, delegate(team)));
     rows.add(row("expired", policy, caller(Standing.EXPIRED, team, MemberRole.OPERATOR, OTHER)));
     rows.add(row("stranger", policy, Caller.stranger("")));
     return rows;
+  }
+
+  /** Another robot that calls on an operator's behalf. */
+  private static Caller delegate(String team) {
+    return caller(Standing.MEMBER, team, MemberRole.ROBOT, OTHER)
+        .onBehalfOf(Behalf.of(new Member(team, MemberRole.OPERATOR, OTHER)));
   }
 
   private static Caller caller(Standing standing, String team, MemberRole role, String name) {
@@ -68,7 +76,7 @@ final class PolicySummary {
         CalledMethod method = CalledMethod.of(type, each, catalogue);
         found
             .computeIfAbsent(method.kind(), unused -> EnumSet.noneOf(Outcome.class))
-            .add(PolicyExplanation.of(policy, caller, method, CALLED, "").outcome());
+            .add(outcome(policy, caller, method));
       }
     }
     Map<String, String> outcomes = new LinkedHashMap<>();
@@ -82,6 +90,21 @@ final class PolicySummary {
       }
     }
     return new CallerRow(name, outcomes);
+  }
+
+  /** As the guard decides: a call on somebody's behalf must be permitted to both. */
+  private static Outcome outcome(Policy policy, Caller caller, CalledMethod method) {
+    Optional<Member> principal = caller.behalf().flatMap(Behalf::principal);
+    if (principal.isEmpty() || method.kind() == MethodKind.STOP) {
+      return PolicyExplanation.of(policy, caller.alone(), method, CALLED, "").outcome();
+    }
+    Caller delegating = new Caller(Standing.MEMBER, principal, "");
+    Outcome bearers = PolicyExplanation.of(policy, caller, method, CALLED, "").outcome();
+    Outcome principals = PolicyExplanation.of(policy, delegating, method, CALLED, "").outcome();
+    if (bearers == Outcome.DENY || principals == Outcome.DENY) {
+      return Outcome.DENY;
+    }
+    return bearers == principals ? bearers : Outcome.DEPENDS;
   }
 
   private static String seen(List<PolicyVisibility.Explained> parts) {

@@ -4,10 +4,12 @@ import java.math.BigInteger;
 import java.security.cert.X509CRL;
 import java.security.cert.X509Certificate;
 import java.time.Instant;
+import java.util.List;
 import java.util.Optional;
 import org.dfra.core.policy.Policy;
 import org.dfra.river.identity.CertificateFingerprint;
 import org.dfra.river.identity.CertificateValidity;
+import org.dfra.river.identity.Delegation;
 import org.dfra.river.identity.SignedFiles;
 import org.dfra.river.identity.TeamCredentials;
 import org.dfra.security.Member;
@@ -27,6 +29,7 @@ import org.dfra.security.Member;
  * @param authorityFingerprint SHA-256 of the authority's certificate
  * @param revocationList number of the list of revoked certificates
  * @param policy version of the policy
+ * @param delegations what operators have delegated to it, a sentence each
  */
 record MemberView(
     String name,
@@ -40,7 +43,12 @@ record MemberView(
     String authority,
     String authorityFingerprint,
     Optional<BigInteger> revocationList,
-    Optional<Long> policy) {
+    Optional<Long> policy,
+    List<String> delegations) {
+
+  MemberView {
+    delegations = List.copyOf(delegations);
+  }
 
   /** What is in a bundle. */
   static MemberView of(VerifiedBundle bundle, Instant now) {
@@ -50,17 +58,23 @@ record MemberView(
         bundle.authority(),
         Optional.of(bundle.revocations()),
         bundle.policy(),
+        List.of(),
         now);
   }
 
   /** What a computer has joined as. */
-  static MemberView of(TeamCredentials credentials, Optional<Policy> policy, Instant now) {
+  static MemberView of(
+      TeamCredentials credentials,
+      Optional<Policy> policy,
+      List<Delegation> delegations,
+      Instant now) {
     return of(
         credentials.member(),
         credentials.certificate(),
         credentials.authority(),
         credentials.revocations(),
         policy,
+        delegations,
         now);
   }
 
@@ -70,6 +84,7 @@ record MemberView(
       X509Certificate authority,
       Optional<X509CRL> revocations,
       Optional<Policy> policy,
+      List<Delegation> delegations,
       Instant now) {
     CertificateValidity validity = CertificateValidity.of(certificate, authority);
     boolean isRevoked = revocations.map(list -> list.isRevoked(certificate)).orElse(false);
@@ -85,7 +100,8 @@ record MemberView(
         authority.getSubjectX500Principal().getName(),
         CertificateFingerprint.sha256(authority),
         revocations.flatMap(SignedFiles::number),
-        policy.map(Policy::version));
+        policy.map(Policy::version),
+        delegations.stream().map(each -> DelegationView.of(each, now).line()).toList());
   }
 
   private static String words(CertificateValidity.Status status) {

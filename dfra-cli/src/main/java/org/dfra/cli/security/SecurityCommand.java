@@ -8,5 +8,10 @@ import picocli.CommandLine.Command;
     description = "Joins a team whose members know each other, and manages its members.",
     synopsisSubcommandLabel = "COMMAND",
     commandListHeading = "%nCommands:%n",
-    subcommands = {JoinCommand.class, ShowCommand.class})
+    subcommands = {
+      JoinCommand.class,
+      ShowCommand.class,
+      DelegateCommand.class,
+      AcceptCommand.class
+    })
 public final class SecurityCommand {}

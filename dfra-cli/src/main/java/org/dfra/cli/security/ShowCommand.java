@@ -20,6 +20,7 @@ import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.IdentityFolder;
 import org.dfra.river.identity.SecurityFiles;
 import org.dfra.river.identity.SignedFiles;
+import org.dfra.river.identity.StoredDelegations;
 import org.dfra.river.identity.TeamCertificates;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -75,7 +76,8 @@ final class ShowCommand implements Callable<Integer> {
     if (isAuthority) {
       return authority(shown);
     } else if (Files.isDirectory(shown) || file == null) {
-      return MemberView.of(IdentityFolder.load(shown), policy(shown), Instant.now());
+      return MemberView.of(
+          IdentityFolder.load(shown), policy(shown), StoredDelegations.list(shown), Instant.now());
     } else if (!Files.exists(shown)) {
       throw new IdentityException(
           "there is no file " + shown + "; name a bundle, a certificate or a folder");

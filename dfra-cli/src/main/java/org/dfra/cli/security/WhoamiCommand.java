@@ -12,6 +12,7 @@ import org.dfra.report.terminal.CommandOutput;
 import org.dfra.report.terminal.ExitCode;
 import org.dfra.river.identity.IdentityFolder;
 import org.dfra.river.identity.SecurityFiles;
+import org.dfra.river.identity.StoredDelegations;
 import org.dfra.river.identity.TeamCredentials;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -46,7 +47,8 @@ public final class WhoamiCommand implements Callable<Integer> {
     }
     TeamCredentials credentials = IdentityFolder.load(folder);
     Instant now = Instant.now();
-    MemberView view = MemberView.of(credentials, Optional.empty(), now);
+    MemberView view =
+        MemberView.of(credentials, Optional.empty(), StoredDelegations.list(folder), now);
     List<String> lines = new ArrayList<>();
     lines.add(
         "The "
@@ -56,6 +58,7 @@ public final class WhoamiCommand implements Callable<Integer> {
             + (view.state().equals("valid") ? "." : ": " + view.state() + "."));
     lines.add("Fingerprint of the certificate: " + view.fingerprint());
     credentials.validityFault(now).ifPresent(fault -> lines.add("Note: " + fault + "."));
+    lines.addAll(view.delegations());
     answer.lines(view, lines);
     return ExitCode.SUCCESS;
   }

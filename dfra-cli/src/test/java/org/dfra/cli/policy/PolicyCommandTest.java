@@ -46,12 +46,15 @@ class PolicyCommandTest {
   void checksThePolicyThatComesWithDfraAndShowsWhoMayDoWhat() {
     assertThat(run("check")).isEqualTo(ExitCode.SUCCESS);
     List<String> lines = out.toString().lines().toList();
-    assertThat(lines.get(0)).isEqualTo("default-policy.xml is valid: policy 0 of field, 11 rules.");
+    assertThat(lines.get(0)).isEqualTo("default-policy.xml is valid: policy 0 of field, 12 rules.");
     assertThat(json("own", "command")).isEqualTo("permit");
     assertThat(json("operator", "command")).isEqualTo("permit");
     assertThat(json("operator", "register")).isEqualTo("deny");
     assertThat(json("robot", "command")).isEqualTo("deny");
     assertThat(json("robot", "deliver")).isEqualTo("permit");
+    assertThat(json("delegate", "command")).isEqualTo("permit");
+    assertThat(json("delegate", "stop")).isEqualTo("permit");
+    assertThat(json("delegate", "release")).isEqualTo("deny");
     assertThat(json("observer", "read")).isEqualTo("some");
     assertThat(json("expired", "stop")).isEqualTo("permit");
     assertThat(json("stranger", "stop")).isEqualTo("deny");

@@ -96,6 +96,7 @@ class SecurityVerbsTest {
     CommandLine line = Main.commandLine(words.toArray(String[]::new));
     line.setErr(new PrintWriter(err, true));
     assertThat(line.execute("security")).isEqualTo(ExitCode.USAGE_ERROR);
-    assertThat(err.toString()).isEqualTo("dfra: security needs a verb; there is join, show\n");
+    assertThat(err.toString())
+        .isEqualTo("dfra: security needs a verb; there is accept, delegate, join, show\n");
   }
 }

@@ -1,10 +1,13 @@
 package org.dfra.river.access;
 
+import java.io.IOException;
+import java.io.ObjectInputStream;
 import java.lang.reflect.Method;
 import java.net.UnknownHostException;
 import java.rmi.Remote;
 import java.rmi.server.ExportException;
 import java.util.Collection;
+import java.util.List;
 import java.util.Set;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.core.constraint.MethodConstraints;
@@ -68,6 +71,23 @@ public class GuardedDispatcher extends FilteredInvocationDispatcher {
       throw new ExportException(
           "the system property " + AdministrationPolicy.PROPERTY + ": " + e.getMessage(), e);
     }
+  }
+
+  /** Verifies the credential that the call carries, if it has one, before its method is read. */
+  @Override
+  protected long readMethodNumber(ObjectInputStream in, Collection<Object> context)
+      throws IOException {
+    long number = super.readMethodNumber(in, context);
+    if (number != CallCredential.MARK) {
+      return number;
+    }
+    byte[] credential = CallCredential.read(in);
+    for (Object each : List.copyOf(context)) {
+      if (each instanceof CredentialPeer peer) { // on others nobody could be authenticated
+        peer.receive(credential, context);
+      }
+    }
+    return super.readMethodNumber(in, context);
   }
 
   /**

@@ -26,8 +26,11 @@ import net.jini.jeri.OutboundRequest;
 import net.jini.jeri.tcp.TcpEndpoint;
 import net.jini.security.proxytrust.TrustEquivalence;
 import org.dfra.module.StopsRobot;
+import org.dfra.river.access.CallCredential;
+import org.dfra.river.access.CredentialPeer;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.filter.SerialLimits;
+import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.transport.AbortableEndpoint;
 import org.dfra.river.transport.CallInFlight;
 import org.dfra.river.transport.CallWatchdog;
@@ -127,7 +130,9 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
     }
     Object peer = peer();
     if (peer instanceof AbortableEndpoint endpoint) {
-      return invokeHere(endpoint, proxy, method, args);
+      // What the answer contains belongs to the same identity: robots may share a virtual machine.
+      return CurrentIdentity.callWith(
+          endpoint.identity(), () -> invokeHere(endpoint, proxy, method, args));
     }
     int held = UNRESPONSIVE.blockedThreads(peer);
     if (held >= UnresponsivePeers.MAX_BLOCKED_THREADS) {
@@ -262,11 +267,30 @@ public final class DeadlineInvocationHandler extends BasicInvocationHandler {
     }
   }
 
+  /** The peer of the connection gets into the context, for {@link #marshalMethod}. */
   @Override
+  @SuppressWarnings("rawtypes") // as River declares it
   protected ObjectOutputStream createMarshalOutputStream(
       Object proxy, Method method, OutboundRequest request, Collection context) throws IOException {
+    request.populateContext(context);
     return super.createMarshalOutputStream(
         proxy, method, CallInFlight.attachRequest(request), context);
+  }
+
+  /** Also writes the credential that the call carries, if it has one. */
+  @Override
+  @SuppressWarnings("rawtypes") // as River declares it
+  protected void marshalMethod(
+      Object proxy, Method method, ObjectOutputStream out, Collection context) throws IOException {
+    for (Object each : context) {
+      if (each instanceof CredentialPeer peer) {
+        byte @Nullable [] credential = peer.credentialFor(method);
+        if (credential != null) {
+          CallCredential.write(credential, out);
+        }
+      }
+    }
+    super.marshalMethod(proxy, method, out, context);
   }
 
   /** Filters the result before it is deserialized. */

@@ -23,6 +23,7 @@ import org.jspecify.annotations.Nullable;
 public class FilteredInvocationDispatcher extends BasicInvocationDispatcher {
 
   private final Map<Method, MethodTypes> types = new ConcurrentHashMap<>();
+  private final Map<Long, Method> numbers = new ConcurrentHashMap<>(); // of existing methods only
 
   /**
    * As the constructor of {@link BasicInvocationDispatcher}.
@@ -58,18 +59,53 @@ public class FilteredInvocationDispatcher extends BasicInvocationDispatcher {
     return in;
   }
 
+  /**
+   * Reads the number of the called method. A subclass may read what precedes it.
+   *
+   * @param context of the call
+   */
+  protected long readMethodNumber(ObjectInputStream in, Collection<Object> context)
+      throws IOException {
+    return in.readLong();
+  }
+
+  private Method method(Remote impl, long number, Collection<?> context)
+      throws IOException, NoSuchMethodException, ClassNotFoundException {
+    @Nullable Method known = numbers.get(number);
+    if (known == null) {
+      known = super.unmarshalMethod(impl, new NumberStream(number), context);
+      numbers.put(number, known);
+    }
+    return known;
+  }
+
   /** Narrows the filter to the method. */
   @Override
-  @SuppressWarnings("rawtypes") // as River declares it
+  @SuppressWarnings({"rawtypes", "unchecked"}) // as River declares it
   protected Method unmarshalMethod(Remote impl, ObjectInputStream in, Collection context)
       throws IOException, NoSuchMethodException, ClassNotFoundException {
-    Method method = super.unmarshalMethod(impl, in, context);
+    Method method = method(impl, readMethodNumber(in, context), context);
     for (Object element : context) {
       if (element instanceof CallFilter filter) {
         filter.narrow(types.computeIfAbsent(method, SerialFilters::argumentsOf));
       }
     }
     return method;
+  }
+
+  /** Has nothing but the number of a method: River looks it up in a table of its own. */
+  private static final class NumberStream extends ObjectInputStream {
+
+    private final long number;
+
+    NumberStream(long number) throws IOException {
+      this.number = number;
+    }
+
+    @Override
+    public long readLong() {
+      return number;
+    }
   }
 
   /**

@@ -2,13 +2,15 @@ package org.dfra.river.identity;
 
 import java.math.BigInteger;
 import java.rmi.server.ServerNotActiveException;
+import java.util.List;
 import java.util.Optional;
 import javax.security.auth.Subject;
 import net.jini.export.ServerContext;
+import org.dfra.river.access.CredentialPeer;
 import org.dfra.security.Caller;
 
 /** The authenticated process at the other end of an encrypted connection. Thread-safe. */
-public interface ChannelPeer {
+public interface ChannelPeer extends CredentialPeer {
 
   /** What is proved of it now: a revoked or expired certificate proves less than it did. */
   Caller caller();
@@ -17,14 +19,15 @@ public interface ChannelPeer {
   Subject subject();
 
   /**
-   * The number of its certificate, also of a revoked one. Empty if it has none, or if it is on this
-   * computer and has the identity of this end: a revoked robot still works for itself.
+   * The number of its certificate, also of a revoked one, and of that of the member on whose behalf
+   * it calls. Empty if it has none, or if it is on this computer and has the identity of this end:
+   * a revoked robot still works for itself.
    */
-  Optional<BigInteger> certificateNumber();
+  List<BigInteger> certificateNumbers();
 
   /**
-   * Whether the connection has to be closed: the peer's certificate was revoked, or, if it is the
-   * server, has expired.
+   * Whether the connection, and what the peer was granted, has to end: its certificate was revoked
+   * or, if it is the server, has expired; or the delegation with which it calls no longer counts.
    */
   boolean isRevoked();
 

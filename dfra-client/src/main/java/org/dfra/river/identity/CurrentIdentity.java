@@ -99,6 +99,34 @@ public final class CurrentIdentity {
     }
   }
 
+  /** What makes a call. */
+  @FunctionalInterface
+  public interface Call {
+
+    /** Calls. */
+    @Nullable Object run() throws Throwable;
+  }
+
+  /**
+   * Makes a call: the endpoints in its answer get the identity with which it was made.
+   *
+   * @param identity of the called endpoint; null if its calls are not encrypted
+   * @return the result
+   */
+  public static @Nullable Object callWith(@Nullable ChannelIdentity identity, Call call)
+      throws Throwable {
+    @Nullable ChannelIdentity before = OF_THREAD.get();
+    if (identity == null || identity == before || (before == null && identity == ofProcess)) {
+      return call.run();
+    }
+    OF_THREAD.set(identity);
+    try {
+      return call.run();
+    } finally {
+      restore(before);
+    }
+  }
+
   private static void restore(@Nullable ChannelIdentity before) {
     if (before == null) {
       OF_THREAD.remove();
@@ -146,6 +174,11 @@ public final class CurrentIdentity {
 
     private Kept(@Nullable ChannelIdentity identity) {
       this.identity = identity;
+    }
+
+    /** The same task with it, for a thread that has none of its own. */
+    public Runnable wrap(Runnable task) {
+      return identity == null ? task : () -> runAs(identity, task);
     }
 
     /** Runs with it. */

@@ -78,6 +78,11 @@ final class MemberTrust extends X509ExtendedTrustManager {
     return revoked.contains(certificate);
   }
 
+  /** Checks a certificate that is not of this connection: its issuer, its dates and its use. */
+  void checkClient(X509Certificate certificate) throws CertificateException {
+    check(new X509Certificate[] {certificate}, CLIENTS);
+  }
+
   private void check(X509Certificate @Nullable [] chain, String usage) throws CertificateException {
     if (chain == null || chain.length == 0) {
       throw new CertificateException("there is no certificate");

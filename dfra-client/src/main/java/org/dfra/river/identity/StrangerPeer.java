@@ -1,10 +1,13 @@
 package org.dfra.river.identity;
 
+import java.lang.reflect.Method;
 import java.math.BigInteger;
-import java.util.Optional;
+import java.util.Collection;
+import java.util.List;
 import java.util.Set;
 import javax.security.auth.Subject;
 import org.dfra.security.Caller;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A peer that has not proved who it is.
@@ -27,12 +30,21 @@ public record StrangerPeer(Caller caller) implements ChannelPeer {
   }
 
   @Override
-  public Optional<BigInteger> certificateNumber() {
-    return Optional.empty();
+  public List<BigInteger> certificateNumbers() {
+    return List.of();
   }
 
   @Override
   public boolean isRevoked() {
     return false;
   }
+
+  @Override
+  public byte @Nullable [] credentialFor(Method method) {
+    return null;
+  }
+
+  /** Nobody acts for a member without being one. */
+  @Override
+  public void receive(byte[] credential, Collection<Object> context) {}
 }

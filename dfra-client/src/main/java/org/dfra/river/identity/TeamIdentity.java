@@ -1,6 +1,7 @@
 package org.dfra.river.identity;
 
 import java.io.IOException;
+import java.lang.reflect.Method;
 import java.math.BigInteger;
 import java.net.InetAddress;
 import java.security.GeneralSecurityException;
@@ -10,6 +11,7 @@ import java.security.PublicKey;
 import java.security.cert.CertificateException;
 import java.security.cert.X509Certificate;
 import java.time.InstantSource;
+import java.util.Collection;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -30,6 +32,7 @@ import net.jini.core.constraint.ServerAuthentication;
 import net.jini.core.constraint.ServerMinPrincipal;
 import org.dfra.river.access.NumericAddress;
 import org.dfra.river.access.OwnAddresses;
+import org.dfra.security.Behalf;
 import org.dfra.security.Caller;
 import org.dfra.security.Caller.Standing;
 import org.dfra.security.Guard;
@@ -60,6 +63,8 @@ public final class TeamIdentity implements ChannelIdentity {
   private final X509Certificate own;
   private final boolean isIssued; // by the authority; otherwise it is a robot's own key
   private final boolean believesExpired;
+  private final DelegationVerifier delegations;
+  private volatile OutgoingCredentials outgoing = (method, server) -> null;
 
   /**
    * The key of a member.
@@ -127,6 +132,7 @@ public final class TeamIdentity implements ChannelIdentity {
     this.revoked = settings.revoked();
     this.trust =
         new MemberTrust(settings.authority(), member.team(), ownKeys, settings.revoked(), clock);
+    this.delegations = new DelegationVerifier(member, trust, clock);
     this.context = SSLContext.getInstance("TLSv1.3");
     context.init(
         new KeyManager[] {new OwnKey(settings.key().key(), settings.key().chain())},
@@ -159,6 +165,11 @@ public final class TeamIdentity implements ChannelIdentity {
   /** Who it is. */
   public Member member() {
     return member;
+  }
+
+  /** Lets calls to other members carry credentials from now on. */
+  public void carry(OutgoingCredentials credentials) {
+    outgoing = credentials;
   }
 
   @Override
@@ -339,15 +350,46 @@ public final class TeamIdentity implements ChannelIdentity {
     }
 
     @Override
-    public Optional<BigInteger> certificateNumber() {
+    public List<BigInteger> certificateNumbers() {
       boolean isOwnWork =
           isThisComputer && (trust.standing(certificate) == Standing.OWN || who.equals(member));
-      return isOwnWork ? Optional.empty() : Optional.of(certificate.getSerialNumber());
+      return isOwnWork ? List.of() : List.of(certificate.getSerialNumber());
     }
 
     @Override
     public boolean isRevoked() {
       return !isBelieved(standing(), isServer);
+    }
+
+    /** The own processes need nobody else's right. */
+    @Override
+    public byte @Nullable [] credentialFor(Method method) {
+      return isServer && standing() == Standing.MEMBER ? outgoing.of(method, who) : null;
+    }
+
+    @Override
+    public void receive(byte[] credential, Collection<Object> context) {
+      Caller alone = caller();
+      if (alone.standing() == Standing.STRANGER) {
+        return; // nobody acts for a member without being one
+      }
+      ChannelPeer peer = this;
+      Caller caller;
+      try {
+        Delegation delegation = delegations.signed(credential);
+        Optional<String> fault = delegations.fault(delegation, who, certificate);
+        if (fault.isEmpty()) {
+          peer = new DelegatedPeer(this, delegation, delegations);
+          caller = alone.onBehalfOf(Behalf.of(delegation.principal()));
+        } else {
+          caller = alone.onBehalfOf(Behalf.unproved(fault.get()));
+        }
+      } catch (IdentityException e) {
+        caller = alone.onBehalfOf(Behalf.unproved(String.valueOf(e.getMessage())));
+      }
+      context.removeIf(each -> each instanceof Caller || each == this);
+      context.add(caller);
+      context.add(peer);
     }
 
     @Override

@@ -22,6 +22,8 @@ import org.dfra.module.Module;
 import org.dfra.module.ModuleHistory;
 import org.dfra.module.Parameter;
 import org.dfra.river.call.RobotAuthentication;
+import org.dfra.river.identity.ChannelIdentity;
+import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.remote.RemoteModule;
 import org.jspecify.annotations.Nullable;
 
@@ -42,6 +44,7 @@ public abstract class ModuleProxy<M extends Module> implements Module, Administr
   private RemoteModule server; // assigned once, when constructed or read
   private final UUID id;
   private final Identification identification;
+  private transient @Nullable ChannelIdentity identity = CurrentIdentity.get(); // or when read
 
   /**
    * @param kind the module's interface
@@ -67,7 +70,7 @@ public abstract class ModuleProxy<M extends Module> implements Module, Administr
 
   /** The target of calls: a local implementation, else the server. */
   protected final M target() {
-    @Nullable Module local = LocalModuleRegistry.find(id);
+    @Nullable Module local = LocalModuleRegistry.find(id, identity);
     return kind.cast(local != null ? local : server);
   }
 
@@ -103,16 +106,16 @@ public abstract class ModuleProxy<M extends Module> implements Module, Administr
   @Override
   public final Subscription subscribe(ModuleListener listener, DeliveryPolicy policy)
       throws RemoteException {
-    @Nullable Module local = LocalModuleRegistry.find(id);
+    @Nullable Module local = LocalModuleRegistry.find(id, identity);
     return local != null
         ? local.subscribe(listener, policy)
-        : ProxySubscription.open(identification.path(), server, listener, policy);
+        : ProxySubscription.open(identification.path(), server, listener, policy, identity);
   }
 
   @Override
   public final ModuleLease acquireLease(Duration duration)
       throws LeaseRefusedException, RemoteException {
-    @Nullable Module local = LocalModuleRegistry.find(id);
+    @Nullable Module local = LocalModuleRegistry.find(id, identity);
     return local != null
         ? local.acquireLease(duration)
         : ProxyLease.open(identification.path(), server, duration);
@@ -146,7 +149,7 @@ public abstract class ModuleProxy<M extends Module> implements Module, Administr
   /** The module's {@link org.dfra.river.remote.ModuleAdmin}. */
   @Override
   public final Object getAdmin() throws RemoteException {
-    return server.getAdmin();
+    return PreparedProxies.proxy(server, server.getAdmin());
   }
 
   /** The module's identity, its service ID in the lookup service. */
@@ -179,6 +182,7 @@ public abstract class ModuleProxy<M extends Module> implements Module, Administr
     if (kind == null || id == null || identification == null || !kind.isInstance(server)) {
       throw new InvalidObjectException("a module proxy without kind, server, identity or name");
     }
+    identity = CurrentIdentity.get();
     server = RobotAuthentication.require(identification.robot(), server);
   }
 }

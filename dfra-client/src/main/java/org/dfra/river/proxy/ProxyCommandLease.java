@@ -1,5 +1,7 @@
 package org.dfra.river.proxy;
 
+import java.rmi.Remote;
+import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.concurrent.ExecutionException;
@@ -30,13 +32,18 @@ public final class ProxyCommandLease implements CommandLease {
   /**
    * Starts to renew a lease; if it is lost, requests no other.
    *
+   * @param server the effector's remote proxy, which has granted it
    * @param asked when it was requested, nanoseconds of {@link Scheduler#system}
    */
   public static CommandLease startRenewing(
-      String path, GrantedCommandLease given, Duration duration, long asked) {
+      String path, GrantedCommandLease given, Remote server, Duration duration, long asked)
+      throws RemoteException {
     LeaseRenewer renewer =
         new LeaseRenewer(
-                "command of " + path, duration.toMillis(), given.lease(), Scheduler.system())
+                "command of " + path,
+                duration.toMillis(),
+                PreparedProxies.lease(server, given.lease()),
+                Scheduler.system())
             .requestedAt(asked);
     renewer.start();
     return new ProxyCommandLease(renewer, given.key());

@@ -38,7 +38,7 @@ final class ProxyLease implements ModuleLease {
   private static Lease register(RemoteModule server, Duration duration)
       throws LeaseRefusedException, RemoteException {
     if (server.acquireLease(duration) instanceof GrantedModuleLease leased) {
-      return leased.lease();
+      return PreparedProxies.lease(server, leased.lease());
     }
     throw new RemoteException("the server gave no lease for its use");
   }

@@ -25,6 +25,8 @@ import org.dfra.river.call.DeadlineExceededException;
 import org.dfra.river.call.DeadlineILFactory;
 import org.dfra.river.call.Endpoints;
 import org.dfra.river.call.JeriExporters;
+import org.dfra.river.identity.ChannelIdentity;
+import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.remote.DeliveryList;
 import org.dfra.river.remote.GrantedSubscription;
 import org.dfra.river.remote.RemoteModule;
@@ -73,11 +75,19 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
    * Subscribes.
    *
    * @param path the module's path, for the log
+   * @param identity with which the listener is exported
    * @throws RemoteException if the server cannot be reached, or cannot reach this client
    */
   static ProxySubscription open(
-      String path, RemoteModule server, ModuleListener listener, DeliveryPolicy policy)
+      String path,
+      RemoteModule server,
+      ModuleListener listener,
+      DeliveryPolicy policy,
+      @Nullable ChannelIdentity identity)
       throws RemoteException {
+    if (identity != null && identity != CurrentIdentity.get()) {
+      return CurrentIdentity.callAs(identity, () -> open(path, server, listener, policy, identity));
+    }
     ProxySubscription subscription =
         new ProxySubscription(
             JeriExporters.notKeepingAlive(Endpoints.tcp(host(server), 0), new DeadlineILFactory()),
@@ -98,9 +108,9 @@ final class ProxySubscription implements RemoteModuleListener, Subscription {
       renewer =
           new LeaseRenewer(
                   "subscription to " + path,
-                  () -> register(server, stub, policy).lease(),
+                  () -> PreparedProxies.lease(server, register(server, stub, policy).lease()),
                   Lease.ANY,
-                  first.lease(),
+                  PreparedProxies.lease(server, first.lease()),
                   Scheduler.system())
               .requestedAt(asked);
     } catch (RemoteException | RuntimeException e) {

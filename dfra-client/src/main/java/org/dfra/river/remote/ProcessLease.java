@@ -10,6 +10,8 @@ import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.Proxy;
 import java.rmi.RemoteException;
 import java.util.Objects;
+import net.jini.core.constraint.MethodConstraints;
+import net.jini.core.constraint.RemoteMethodControl;
 import net.jini.core.lease.Lease;
 import net.jini.core.lease.LeaseDeniedException;
 import net.jini.core.lease.LeaseMap;
@@ -94,6 +96,23 @@ public final class ProcessLease extends AbstractLease implements ReferentUuid {
   @SuppressWarnings("rawtypes") // as River declares it
   public LeaseMap createLeaseMap(long duration) {
     return new ProcessLeaseMap(this, duration);
+  }
+
+  /**
+   * The same lease, whose landlord must meet the constraints of the proxy through which it was
+   * received: only the same robot's processes may renew and cancel it.
+   *
+   * @param constraints of that proxy; null for none
+   * @throws RemoteException if the landlord's proxy takes no constraints
+   */
+  public ProcessLease constrained(@Nullable MethodConstraints constraints) throws RemoteException {
+    if (constraints == null) {
+      return this;
+    } else if (landlord instanceof RemoteMethodControl control) {
+      return new ProcessLease(
+          cookie, (Landlord) control.setConstraints(constraints), getExpiration());
+    }
+    throw new RemoteException("a lease whose landlord nobody can authenticate");
   }
 
   Landlord landlord() {

@@ -1,6 +1,8 @@
 package org.dfra.river.transport;
 
 import net.jini.jeri.Endpoint;
+import org.dfra.river.identity.ChannelIdentity;
+import org.jspecify.annotations.Nullable;
 
 /**
  * An endpoint whose requests never hold their caller longer than it wants: what may block, from
@@ -13,6 +15,11 @@ public interface AbortableEndpoint extends Endpoint {
 
   /** The TCP port of the server. */
   int port();
+
+  /**
+   * Who its client is; null if its calls are not encrypted. What is received in answers keeps it.
+   */
+  @Nullable ChannelIdentity identity();
 
   /**
    * Closes the connections to this server that no call uses. The next call opens a new one. After a

@@ -12,6 +12,8 @@ import java.util.Objects;
 import javax.net.ssl.SSLHandshakeException;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.jeri.OutboundRequest;
+import org.dfra.river.identity.ChannelPeer;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A request and its response on one connection. Used by the caller's thread; any thread may abort
@@ -40,10 +42,15 @@ final class OutboundCall implements OutboundRequest, MessageOutput.Sender, Messa
     TransportTraffic.countCallSent();
   }
 
+  /** Adds who the server is, if it has proved that. */
   @Override
-  @SuppressWarnings("rawtypes") // as River declares it
+  @SuppressWarnings({"rawtypes", "unchecked"}) // as River declares it
   public void populateContext(Collection context) {
-    Objects.requireNonNull(context, "context"); // nothing is known of a server
+    Objects.requireNonNull(context, "context");
+    @Nullable ChannelPeer server = connection.link().partner();
+    if (server != null) {
+      context.add(server);
+    }
   }
 
   @Override

@@ -6,6 +6,8 @@ import java.util.Objects;
 import net.jini.core.constraint.InvocationConstraints;
 import net.jini.jeri.OutboundRequestIterator;
 import org.dfra.river.access.NumericAddress;
+import org.dfra.river.identity.ChannelIdentity;
+import org.dfra.river.identity.CurrentIdentity;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -42,6 +44,12 @@ public record SourceBoundEndpoint(String host, int port, String source, int grou
 
   private ClientConnections connections() {
     return ClientConnections.to(new TransportEndpoint(host, port), numeric(source), group);
+  }
+
+  /** That of the thread that calls. */
+  @Override
+  public @Nullable ChannelIdentity identity() {
+    return CurrentIdentity.get();
   }
 
   @Override

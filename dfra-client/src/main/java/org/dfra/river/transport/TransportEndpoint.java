@@ -102,8 +102,8 @@ public final class TransportEndpoint implements AbortableEndpoint, TrustEquivale
     return RequestIterator.of(ClientConnections.to(this), constraints);
   }
 
-  /** Who its client is; null if its calls are not encrypted. */
-  @Nullable ChannelIdentity identity() {
+  @Override
+  public @Nullable ChannelIdentity identity() {
     return identity == null && isEncrypted ? AnonymousIdentity.instance() : identity;
   }
 

@@ -47,6 +47,12 @@ final class TestIdentities {
     return identity(role, name, authority.issue(new Member("field", role, name)), guard);
   }
 
+  /** An identity with a guard and a clock of its own. */
+  TeamIdentity guardedWithClock(MemberRole role, String name, Guard guard, Clock clock) {
+    Issued issued = authority.issue(new Member("field", role, name));
+    return identity(role, name, issued, guard, clock);
+  }
+
   /** An identity that presents any certificate, of any issuer. */
   TeamIdentity of(MemberRole role, String name, Issued issued) {
     return identity(role, name, issued, request -> Decision.permit("all"));

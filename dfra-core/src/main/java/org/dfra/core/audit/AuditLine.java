@@ -13,6 +13,7 @@ import java.util.Optional;
  * @param standing what was proved of the caller: {@code stranger}, {@code expired}, {@code member}
  *     or {@code own}
  * @param member whom the caller's certificate named
+ * @param behalf on whose behalf the caller called
  * @param address the caller's address
  * @param robot the robot that the called object belongs to
  * @param object the called object
@@ -32,6 +33,7 @@ public record AuditLine(
     String kind,
     String standing,
     String member,
+    String behalf,
     String address,
     String robot,
     String object,

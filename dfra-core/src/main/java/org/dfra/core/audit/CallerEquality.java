@@ -16,7 +16,13 @@ final class CallerEquality {
   static boolean areEqual(Caller one, Caller two) {
     return one.standing() == two.standing()
         && one.address().equals(two.address())
-        && areEqual(one.member(), two.member());
+        && areEqual(one.member(), two.member())
+        && haveEqualBehalf(one, two);
+  }
+
+  /** Hardly any call is on somebody's behalf. */
+  private static boolean haveEqualBehalf(Caller one, Caller two) {
+    return one.behalf().isEmpty() ? two.behalf().isEmpty() : one.behalf().equals(two.behalf());
   }
 
   private static boolean areEqual(Optional<Member> one, Optional<Member> two) {

@@ -47,6 +47,7 @@ final class LineDecoder {
           required(json, "kind"),
           text(json, "standing"),
           text(json, "member"),
+          text(json, "for"),
           text(json, "address"),
           text(json, "robot"),
           text(json, "object"),

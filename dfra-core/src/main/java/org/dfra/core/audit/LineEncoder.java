@@ -12,6 +12,7 @@ import java.time.temporal.ChronoUnit;
 import java.util.Locale;
 import java.util.Optional;
 import org.dfra.core.audit.AuditLine.Header;
+import org.dfra.security.Behalf;
 import org.dfra.security.Caller;
 import org.dfra.security.Member;
 import org.dfra.text.PrintableText;
@@ -78,6 +79,7 @@ final class LineEncoder {
       Caller caller = event.caller().get();
       json.writeStringField("standing", caller.standing().name().toLowerCase(Locale.ROOT));
       writeText("member", caller.member().map(Member::toString).orElse(""), json);
+      writeText("for", caller.behalf().map(Behalf::toString).orElse(""), json);
       writeText("address", PrintableText.line(caller.address(), LONGEST_ADDRESS), json);
     }
     writeText("robot", event.robot(), json);

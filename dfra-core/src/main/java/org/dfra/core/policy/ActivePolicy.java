@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.LongSupplier;
 import org.dfra.security.AccessRequest;
+import org.dfra.security.Behalf;
 import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.dfra.security.Member;
@@ -72,6 +73,7 @@ final class ActivePolicy {
   private record CallKey(
       Caller.Standing standing,
       @Nullable Member member,
+      @Nullable Member principal,
       String robot,
       String object,
       Class<?> type,
@@ -94,7 +96,8 @@ final class ActivePolicy {
           && method.equals(key.method)
           && object.equals(key.object)
           && robot.equals(key.robot)
-          && (member == null ? key.member == null : member.equals(key.member));
+          && (member == null ? key.member == null : member.equals(key.member))
+          && (principal == null ? key.principal == null : principal.equals(key.principal));
     }
   }
 
@@ -131,6 +134,7 @@ final class ActivePolicy {
         new CallKey(
             caller.standing(),
             caller.member().orElse(null),
+            caller.behalf().flatMap(Behalf::principal).orElse(null),
             request.robot(),
             request.object(),
             request.type(),

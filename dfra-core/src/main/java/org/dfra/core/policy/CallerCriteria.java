@@ -19,12 +19,14 @@ import org.jspecify.annotations.Nullable;
  * @param members their names
  * @param sameRobot true: only the robot that the called object belongs to; false: only others; null
  *     for all
+ * @param behalf on whose behalf they call
  */
 record CallerCriteria(
     Set<Standing> standings,
     Set<MemberRole> roles,
     NamePattern members,
-    @Nullable Boolean sameRobot) {
+    @Nullable Boolean sameRobot,
+    BehalfCriteria behalf) {
 
   /** The standings of a rule about what is seen that names none. */
   static final Set<Standing> OTHERS = Set.of(Standing.MEMBER, Standing.EXPIRED, Standing.STRANGER);
@@ -43,7 +45,7 @@ record CallerCriteria(
 
   /** Whether they name roles, members or robots, and not only what certificates prove. */
   boolean isNamed() {
-    return !roles.isEmpty() || !members.isAny() || sameRobot != null;
+    return !roles.isEmpty() || !members.isAny() || sameRobot != null || behalf.isNamed();
   }
 
   /**
@@ -67,6 +69,10 @@ record CallerCriteria(
           + member.map(Member::name).orElse("unknown")
           + ", not "
           + members;
+    }
+    @Nullable String other = behalf.mismatch(caller.behalf(), effect);
+    if (other != null) {
+      return other;
     }
     Truth expected = sameRobot == null ? Truth.HOLDS : isSame(member, robot, sameRobot);
     return expected.applies(effect)

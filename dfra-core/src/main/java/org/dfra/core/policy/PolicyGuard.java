@@ -2,12 +2,16 @@ package org.dfra.core.policy;
 
 import java.time.InstantSource;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.LongSupplier;
+import java.util.stream.Stream;
 import org.dfra.core.policy.ActivePolicy.Candidate;
 import org.dfra.security.AccessRequest;
+import org.dfra.security.Behalf;
 import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
+import org.dfra.security.Member;
 import org.dfra.security.Visibility;
 import org.jspecify.annotations.Nullable;
 
@@ -15,9 +19,16 @@ import org.jspecify.annotations.Nullable;
  * Decides about calls by a policy, which can be replaced while calls are made. A call is decided
  * entirely by one policy, the old one or the new one. Thread-safe; it waits for nothing.
  *
- * <p>A member of another team than the policy's counts as a stranger.
+ * <p>A member of another team than the policy's counts as a stranger. A call on somebody's behalf
+ * is decided twice, for the caller and for that member, and runs only if both are permitted.
  */
 public final class PolicyGuard implements Guard {
+
+  /** The rule that refuses a call whose credential proves nothing. */
+  public static final String DELEGATION = "delegation";
+
+  /** Between the two rules that permit a call on somebody's behalf. */
+  private static final String BOTH = ", ";
 
   private final PolicyFacts facts;
   private final Confirmations confirmations;
@@ -67,13 +78,43 @@ public final class PolicyGuard implements Guard {
   public Decision decide(AccessRequest request) {
     ActivePolicy now = active;
     AccessRequest known = recognised(request, now.policy());
+    Optional<Behalf> behalf = known.caller().behalf();
+    return behalf.isEmpty() ? decide(now, known) : decideOnBehalf(now, known, behalf.get());
+  }
+
+  /**
+   * Decides about a call on somebody's behalf: the caller must be permitted to make it for that
+   * member, and that member to make it. A stop is the caller's own: what it carries may not prevent
+   * it.
+   */
+  private Decision decideOnBehalf(ActivePolicy now, AccessRequest request, Behalf behalf) {
+    AccessRequest alone = request.by(request.caller().alone());
+    if (CalledMethod.of(request.type(), request.method()).kind() == MethodKind.STOP) {
+      return decide(now, alone);
+    }
+    Optional<Member> principal = behalf.principal();
+    if (principal.isEmpty()) {
+      return observed(now, request, Obligations.NONE, Decision.deny(DELEGATION, behalf.fault()));
+    }
+    Decision bearer = decide(now, request);
+    if (!bearer.isPermitted()) {
+      return bearer;
+    }
+    Caller delegating = new Caller(Caller.Standing.MEMBER, principal, request.caller().address());
+    Decision delegated = decide(now, request.by(delegating));
+    return delegated.isPermitted()
+        ? Decision.permit(bearer.rule() + BOTH + delegated.rule())
+        : delegated;
+  }
+
+  private Decision decide(ActivePolicy now, AccessRequest known) {
     for (Candidate each : now.candidates(known)) {
       if (each.isImmediate()) {
-        return observed(now, known, each, each.decision());
+        return observed(now, known, each.obligations(), each.decision());
       }
       PolicyRule rule = each.rule();
       if (rule != null && rule.appliesNow(facts)) {
-        return observed(now, known, each, checked(rule, each, known));
+        return observed(now, known, each.obligations(), checked(rule, each, known));
       }
     }
     throw new AssertionError("the last candidate always decides");
@@ -82,7 +123,7 @@ public final class PolicyGuard implements Guard {
   @Override
   public Visibility visibility(Caller caller) {
     ActivePolicy now = active;
-    return now.visibility(recognised(caller, now.policy()));
+    return now.visibility(recognised(caller.alone(), now.policy())); // it sees for itself
   }
 
   /** The decision of a rule that applies, after its rate and its confirmation are checked. */
@@ -107,18 +148,26 @@ public final class PolicyGuard implements Guard {
   }
 
   private Decision observed(
-      ActivePolicy now, AccessRequest request, Candidate candidate, Decision decision) {
-    if (listener != null && listener.concerns(candidate.obligations())) {
+      ActivePolicy now, AccessRequest request, Obligations obligations, Decision decision) {
+    if (listener != null && listener.concerns(obligations)) {
       listener.onDecision(
           new DecisionRecord(
-              clock.instant(), request, decision, now.policy().version(), candidate.obligations()));
+              clock.instant(), request, decision, now.policy().version(), obligations));
     }
     return decision;
   }
 
-  /** What the rule of a decision obliges to, such as {@code log}; empty if to nothing. */
+  /** What the rules of a decision oblige to, such as {@code log}; empty if to nothing. */
   public List<String> obligations(Decision decision) {
-    return active.obligations(decision.rule());
+    ActivePolicy now = active;
+    String rule = decision.rule();
+    List<String> its = now.obligations(rule);
+    return its.isEmpty() && rule.contains(BOTH)
+        ? Stream.of(rule.split(BOTH))
+            .flatMap(each -> now.obligations(each).stream())
+            .distinct()
+            .toList()
+        : its;
   }
 
   /** The request, with a stranger in place of a member of another team. */

@@ -73,6 +73,7 @@ final class RefusalReason {
   /** Without the address, which the reason must not depend on. */
   private static String caller(Caller caller) {
     return caller.member().map(Member::toString).orElse("a stranger")
+        + caller.behalf().map(each -> " for " + each).orElse("")
         + (caller.standing() == Caller.Standing.EXPIRED ? ", whose certificate has expired" : "");
   }
 }

@@ -135,7 +135,8 @@ final class RuleReader {
         standings.isEmpty() ? byDefault : standings,
         constants("role", MemberRole::of),
         names("member"),
-        same == null ? null : Boolean.valueOf(same.equals("yes")));
+        same == null ? null : Boolean.valueOf(same.equals("yes")),
+        new BehalfCriteria(constants("for-role", MemberRole::of), names("for-member")));
   }
 
   private static Standing standing(String text) {

@@ -71,7 +71,8 @@ public final class VisibilityRule {
 
   /** Whether it may be about a caller, which can depend on the robot. */
   boolean mayConcern(Caller caller) {
-    return new CallerCriteria(callers.standings(), callers.roles(), callers.members(), null)
+    return new CallerCriteria(
+                callers.standings(), callers.roles(), callers.members(), null, callers.behalf())
             .mismatch(caller, "", effect)
         == null;
   }

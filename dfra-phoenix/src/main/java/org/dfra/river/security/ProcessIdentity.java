@@ -1,14 +1,15 @@
 package org.dfra.river.security;
 
 import java.io.IOException;
+import java.lang.reflect.Method;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
 import java.security.PrivateKey;
 import java.security.PublicKey;
 import java.security.cert.X509CRL;
 import java.security.cert.X509Certificate;
-import java.time.Clock;
 import java.time.Duration;
+import java.time.InstantSource;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -34,6 +35,7 @@ import org.dfra.core.policy.PolicyStore;
 import org.dfra.river.identity.FlooredClock;
 import org.dfra.river.identity.RevokedCertificates;
 import org.dfra.river.identity.RobotAlone;
+import org.dfra.river.identity.StoredDelegations;
 import org.dfra.river.identity.TeamCredentials;
 import org.dfra.river.identity.TeamCredentials.RobotKey;
 import org.dfra.river.identity.TeamIdentity;
@@ -61,6 +63,7 @@ final class ProcessIdentity {
   private final BudgetGuard budgets;
   private final ReplaceableGuard guard;
   private final X509Certificate authority;
+  private final @Nullable StoredDelegations delegations;
   private final boolean isClosed;
   private final @Nullable PrivateKey key; // null if others do not believe its certificate
   private volatile @Nullable AuditTrail audit;
@@ -72,8 +75,10 @@ final class ProcessIdentity {
       BudgetGuard budgets,
       ReplaceableGuard guard,
       X509Certificate authority,
+      @Nullable StoredDelegations delegations,
       boolean isClosed,
       @Nullable PrivateKey key) {
+    this.delegations = delegations;
     this.isClosed = isClosed;
     this.key = key;
     this.identity = identity;
@@ -137,6 +142,13 @@ final class ProcessIdentity {
                 asked,
                 believesExpired),
             clock);
+    StoredDelegations delegations =
+        new StoredDelegations(
+            folder, credentials, method -> kind(method) == MethodKind.COMMAND, clock);
+    delegations.reload();
+    if (mode == SecurityMode.SECURE) {
+      identity.carry(delegations);
+    }
     return new ProcessIdentity(
         identity,
         revoked,
@@ -144,8 +156,13 @@ final class ProcessIdentity {
         budgets,
         asked,
         credentials.authority(),
+        delegations,
         mode == SecurityMode.CLOSED,
         mode == SecurityMode.CLOSED ? null : credentials.privateKey());
+  }
+
+  private static MethodKind kind(Method method) {
+    return MethodKinds.of(method.getDeclaringClass(), method).kind();
   }
 
   /**
@@ -153,7 +170,8 @@ final class ProcessIdentity {
    *
    * @throws GeneralSecurityException if the key cannot be used
    */
-  static ProcessIdentity closed(RobotAlone robot, Clock clock) throws GeneralSecurityException {
+  static ProcessIdentity closed(RobotAlone robot, InstantSource clock)
+      throws GeneralSecurityException {
     RobotKey key = robot.key();
     Member member = robot.member();
     RevokedCertificates revoked = new RevokedCertificates(robot.authority());
@@ -173,7 +191,7 @@ final class ProcessIdentity {
                 false),
             clock);
     return new ProcessIdentity(
-        identity, revoked, guard, budgets, asked, robot.authority(), true, null);
+        identity, revoked, guard, budgets, asked, robot.authority(), null, true, null);
   }
 
   /** Budgets are for what uses a robot; a person's programs have none. */
@@ -239,10 +257,7 @@ final class ProcessIdentity {
     audit = trail;
     guard.guard =
         new AuditedGuard(
-            budgets,
-            trail,
-            method -> MethodKinds.of(method.getDeclaringClass(), method).kind() == MethodKind.READ,
-            policy::obligations);
+            budgets, trail, method -> kind(method) == MethodKind.READ, policy::obligations);
   }
 
   /** Whether there is an audit trail whose end can be signed. */
@@ -269,6 +284,13 @@ final class ProcessIdentity {
     @Nullable AuditTrail trail = audit;
     if (trail != null) {
       trail.record(event);
+    }
+  }
+
+  /** Reads again what others have delegated to this member, if its files have changed. */
+  void reloadDelegations() {
+    if (delegations != null) {
+      delegations.reload();
     }
   }
 

@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.rmi.server.ExportException;
 import java.security.GeneralSecurityException;
-import java.time.Clock;
 import java.time.InstantSource;
 import java.util.Objects;
 import java.util.Optional;
@@ -302,7 +301,7 @@ public final class SecureProcess {
   /** The robot's own key has no dates, and a file of its own. */
   private static ProcessIdentity closed(Path folder, String fault) {
     try {
-      return ProcessIdentity.closed(IdentityFolder.loadAlone(folder), Clock.systemUTC());
+      return ProcessIdentity.closed(IdentityFolder.loadAlone(folder), InstantSource.system());
     } catch (IdentityException | GeneralSecurityException e) {
       boolean isRobot =
           Files.exists(folder.resolve(SecurityFiles.ROBOT)); // a person has no such key

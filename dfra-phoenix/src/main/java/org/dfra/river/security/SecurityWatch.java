@@ -26,9 +26,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Reads the policy and the list of revoked certificates again when their files have changed. A file
- * that cannot be used changes nothing: the last good one stays in force. Also has the end of the
- * audit trail signed in each period.
+ * Reads the policy, the list of revoked certificates and delegations again when their files have
+ * changed. A file that cannot be used changes nothing: the last good one stays in force. Also has
+ * the end of the audit trail signed in each period.
  *
  * <p>Thread: one daemon, {@code dfra-security}, for the life of the process. It looks at the times
  * of two files four times a second, since a folder that is replaced as a whole cannot be watched,
@@ -127,6 +127,7 @@ final class SecurityWatch implements Runnable {
     try {
       lookAtRevoked();
       lookAtPolicy();
+      identity.reloadDelegations();
       signHeadIfDue();
       @Nullable KnownTime time = parts.time();
       if (time != null) {

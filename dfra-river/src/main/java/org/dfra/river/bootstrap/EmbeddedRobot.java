@@ -15,6 +15,8 @@ import org.dfra.core.config.RobotDescription;
 import org.dfra.river.access.AdministrationPolicy;
 import org.dfra.river.access.AdministrationPolicy.Admission;
 import org.dfra.river.entry.Entries;
+import org.dfra.river.identity.ChannelIdentity;
+import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.server.ModuleActivation;
 import org.dfra.river.server.ModuleIdentity;
 import org.jspecify.annotations.Nullable;
@@ -24,7 +26,8 @@ import org.jspecify.annotations.Nullable;
  * proxies as service groups, exported and found through lookup. It has no activation system, which
  * could restart ended modules, and no class server, because its callers have its classes. It is
  * created from the same XML as a robot in processes. Modules keep no state from one run to the
- * next. Robots that share a virtual machine share their administrators.
+ * next. Robots that share a virtual machine share their administrators, and share an identity
+ * unless each has one of its own.
  *
  * <p>{@link #start} starts the registrar and then the modules in the order written; {@link #close}
  * ends them in {@link org.dfra.core.robot.ShutdownOrder}.
@@ -38,6 +41,7 @@ public final class EmbeddedRobot implements AutoCloseable {
   private final String host;
   private final @Nullable Path others;
   private final ServedModules modules;
+  private final @Nullable ChannelIdentity identity; // null for that of the process
 
   @GuardedBy("this")
   private boolean started;
@@ -52,7 +56,17 @@ public final class EmbeddedRobot implements AutoCloseable {
    *     address of this machine, or one of its additional hosts is unknown
    */
   public EmbeddedRobot(RobotDescription robot) {
-    this(robot, null);
+    this(robot, null, null);
+  }
+
+  /**
+   * Creates a whole robot that is a member of a team: what it exports is encrypted, and what it
+   * calls knows it by this identity, as if it had a process of its own.
+   *
+   * @throws ConfigurationException as the other constructors
+   */
+  public EmbeddedRobot(RobotDescription robot, ChannelIdentity identity) {
+    this(robot, null, identity);
   }
 
   /**
@@ -65,6 +79,12 @@ public final class EmbeddedRobot implements AutoCloseable {
    *     address of this machine, or one of its additional hosts is unknown
    */
   public EmbeddedRobot(RobotDescription robot, @Nullable Path phoenixState) {
+    this(robot, phoenixState, null);
+  }
+
+  private EmbeddedRobot(
+      RobotDescription robot, @Nullable Path phoenixState, @Nullable ChannelIdentity identity) {
+    this.identity = identity;
     this.robot = robot;
     this.others = phoenixState;
     this.host = HostAddress.resolve(robot.host());
@@ -106,12 +126,17 @@ public final class EmbeddedRobot implements AutoCloseable {
       return;
     }
     started = true;
+    boolean unused = identity == null ? serve() : CurrentIdentity.callAs(identity, this::serve);
+  }
+
+  private synchronized boolean serve() throws IOException {
     admission = AdministrationPolicy.admit(AddressRangeResolver.resolve(robot.administration()));
     LookupSettings places = LookupSettings.of(robot, host, registrar().start().port());
     for (ModuleDescription each : robot.modules()) {
       modules.serve(
           new ModuleActivation(each, identity(each), host, places.groups(), places.locators()));
     }
+    return true;
   }
 
   private UUID identity(ModuleDescription module) throws IOException {

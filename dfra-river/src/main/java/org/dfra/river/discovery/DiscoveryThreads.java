@@ -8,6 +8,7 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.dfra.river.identity.CurrentIdentity;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -48,8 +49,9 @@ record DiscoveryThreads(
   private static ThreadFactory named(String name) {
     AtomicInteger number = new AtomicInteger();
     ClassLoader loader = Thread.currentThread().getContextClassLoader();
+    CurrentIdentity.Kept identity = CurrentIdentity.keep();
     return task -> {
-      Thread thread = new Thread(task, name + "-" + number.incrementAndGet());
+      Thread thread = new Thread(identity.wrap(task), name + "-" + number.incrementAndGet());
       thread.setDaemon(true);
       thread.setContextClassLoader(loader);
       return thread;

@@ -21,6 +21,8 @@ import net.jini.core.lookup.ServiceID;
 import org.dfra.river.discovery.DiscoveryCandidates.LookupAddress;
 import org.dfra.river.discovery.FoundRegistrars.FoundRegistrar;
 import org.dfra.river.discovery.UnicastDiscovery.DiscoveryResponse;
+import org.dfra.river.identity.ChannelIdentity;
+import org.dfra.river.identity.CurrentIdentity;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -54,8 +56,11 @@ final class SharedMulticastSearch {
   @GuardedBy("OPEN")
   private static final Map<Shareable, SharedMulticastSearch> OPEN = new HashMap<>();
 
-  /** The context class loader reads the proxies that are found. */
-  private record Shareable(MulticastSettings settings, @Nullable ClassLoader loader) {}
+  /** The context class loader reads the proxies that are found, which get the identity. */
+  private record Shareable(
+      MulticastSettings settings,
+      @Nullable ClassLoader loader,
+      @Nullable ChannelIdentity identity) {}
 
   /** What one {@link MulticastSearch} searches for and has found. */
   static final class User {
@@ -123,7 +128,9 @@ final class SharedMulticastSearch {
    * @throws IOException if multicast cannot be used
    */
   static SharedMulticastSearch join(MulticastSettings settings, User user) throws IOException {
-    Shareable shareable = new Shareable(settings, Thread.currentThread().getContextClassLoader());
+    Shareable shareable =
+        new Shareable(
+            settings, Thread.currentThread().getContextClassLoader(), CurrentIdentity.get());
     synchronized (OPEN) {
       SharedMulticastSearch search = OPEN.get(shareable);
       if (search == null) {

@@ -274,6 +274,12 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
     if (book.isRevoked(id(cookie))) {
       throw new LeaseRevokedException(module + ": an administrator has revoked this lease");
     }
+    @Nullable ChannelPeer holder = members.get(id(cookie));
+    if (holder != null && holder.isRevoked()) { // such as a delegation that has expired
+      book.revokeInBackground(id(cookie));
+      throw new LeaseDeniedException(
+          module + ": " + holder + " no longer has the right with which it acquired this lease");
+    }
     try {
       Optional<LeaseGrant> granted = book.renew(id(cookie), requestedDuration(duration));
       return granted

@@ -16,6 +16,8 @@ import net.jini.core.lease.LeaseDeniedException;
 import net.jini.core.lease.UnknownLeaseException;
 import net.jini.export.Exporter;
 import net.jini.id.Uuid;
+import org.dfra.river.identity.ChannelIdentity;
+import org.dfra.river.identity.CurrentIdentity;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -28,8 +30,11 @@ import org.jspecify.annotations.Nullable;
  */
 public final class ProcessLandlord implements Landlord, LocalLandlord {
 
+  /** Modules of robots that share a virtual machine do not share the landlord. */
+  private record Shareable(String host, @Nullable ChannelIdentity identity) {}
+
   @GuardedBy("ProcessLandlord.class")
-  private static final Map<String, ProcessLandlord> BY_HOST = new HashMap<>();
+  private static final Map<Shareable, ProcessLandlord> BY_HOST = new HashMap<>();
 
   private final List<ModuleLandlord> modules = new CopyOnWriteArrayList<>();
 
@@ -51,6 +56,7 @@ public final class ProcessLandlord implements Landlord, LocalLandlord {
   public static Exporter exporterAt(String host, Supplier<Exporter> exporters) {
     return new Exporter() {
 
+      private final Shareable at = new Shareable(host, CurrentIdentity.get());
       private @Nullable ModuleLandlord exported;
 
       @Override
@@ -59,7 +65,7 @@ public final class ProcessLandlord implements Landlord, LocalLandlord {
           throw new ExportException(
               "this exporter exports one ModuleLandlord once, and not " + landlord);
         }
-        Remote shared = add(host, module, exporters);
+        Remote shared = add(at, module, exporters);
         exported = module;
         return shared;
       }
@@ -69,7 +75,7 @@ public final class ProcessLandlord implements Landlord, LocalLandlord {
         @Nullable ModuleLandlord gone = exported;
         if (gone != null) {
           exported = null;
-          remove(host, gone);
+          remove(at, gone);
         }
         return true;
       }
@@ -77,8 +83,8 @@ public final class ProcessLandlord implements Landlord, LocalLandlord {
   }
 
   private static synchronized Landlord add(
-      String host, ModuleLandlord module, Supplier<Exporter> exporters) throws ExportException {
-    ProcessLandlord shared = BY_HOST.computeIfAbsent(host, each -> new ProcessLandlord());
+      Shareable at, ModuleLandlord module, Supplier<Exporter> exporters) throws ExportException {
+    ProcessLandlord shared = BY_HOST.computeIfAbsent(at, each -> new ProcessLandlord());
     @Nullable Landlord known = shared.proxy;
     if (known == null) {
       Exporter fresh = exporters.get();
@@ -90,10 +96,10 @@ public final class ProcessLandlord implements Landlord, LocalLandlord {
     return known;
   }
 
-  private static synchronized void remove(String host, ModuleLandlord module) {
-    @Nullable ProcessLandlord shared = BY_HOST.get(host);
+  private static synchronized void remove(Shareable at, ModuleLandlord module) {
+    @Nullable ProcessLandlord shared = BY_HOST.get(at);
     if (shared != null && shared.modules.remove(module) && shared.modules.isEmpty()) {
-      BY_HOST.remove(host);
+      BY_HOST.remove(at);
       @Nullable Exporter last = shared.exporter;
       if (last != null) {
         boolean unused = last.unexport(true);

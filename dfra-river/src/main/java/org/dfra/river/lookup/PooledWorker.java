@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.time.Scheduler;
 import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
@@ -15,8 +16,8 @@ import org.slf4j.LoggerFactory;
  * Executes work in steps, one after the other, whenever it is woken or a step is due. It uses a
  * thread of a pool only while there is something to do. So a program may have hundreds of them.
  *
- * <p>Steps have the context class loader of the thread that made the worker. What one step writes,
- * the next one sees, also on another thread. Thread-safe.
+ * <p>Steps have the context class loader and the identity of the thread that made the worker. What
+ * one step writes, the next one sees, also on another thread. Thread-safe.
  */
 final class PooledWorker implements AutoCloseable {
 
@@ -48,6 +49,7 @@ final class PooledWorker implements AutoCloseable {
   private final ThreadPoolExecutor threads;
   private final Work work;
   private final @Nullable ClassLoader loader = Thread.currentThread().getContextClassLoader();
+  private final CurrentIdentity.Kept identity = CurrentIdentity.keep();
 
   /** The thread that works now. */
   @GuardedBy("this")
@@ -93,7 +95,7 @@ final class PooledWorker implements AutoCloseable {
       isStarted = true;
     }
     try {
-      threads.execute(this::run);
+      threads.execute(identity.wrap(this::run));
     } catch (RejectedExecutionException | OutOfMemoryError e) { // no further thread
       LOG.warn("{} has no thread now; this is tried again: {}", name, e.toString());
       synchronized (this) {

@@ -15,6 +15,8 @@ import org.dfra.core.time.BoundedThreads;
 import org.dfra.river.call.CallThreads;
 import org.dfra.river.discovery.LocatedRegistrar;
 import org.dfra.river.discovery.UnicastDiscovery;
+import org.dfra.river.identity.ChannelIdentity;
+import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.time.Scheduler;
 import org.dfra.time.Scheduler.ScheduledTask;
 import org.jspecify.annotations.Nullable;
@@ -53,8 +55,16 @@ final class SharedLocatorSearch {
   @GuardedBy("OPEN")
   private static final Map<Shareable, SharedLocatorSearch> OPEN = new HashMap<>();
 
-  /** What users must have in common; the context class loader reads the proxy that is found. */
-  private record Shareable(String host, int port, Duration retry, @Nullable ClassLoader loader) {}
+  /**
+   * What users must have in common; the context class loader reads the proxy that is found, which
+   * gets the identity.
+   */
+  private record Shareable(
+      String host,
+      int port,
+      Duration retry,
+      @Nullable ClassLoader loader,
+      @Nullable ChannelIdentity identity) {}
 
   /** One user. */
   static final class User {
@@ -107,7 +117,8 @@ final class SharedLocatorSearch {
             locator.getHost(),
             locator.getPort(),
             retry,
-            Thread.currentThread().getContextClassLoader());
+            Thread.currentThread().getContextClassLoader(),
+            CurrentIdentity.get());
     synchronized (OPEN) {
       SharedLocatorSearch search = OPEN.computeIfAbsent(at, SharedLocatorSearch::new);
       search.add(user);
@@ -180,7 +191,7 @@ final class SharedLocatorSearch {
             Thread thread = Thread.currentThread();
             thread.setContextClassLoader(at.loader());
             try {
-              task.run();
+              CurrentIdentity.runAs(at.identity(), task);
             } finally {
               thread.setContextClassLoader(null);
             }

@@ -8,6 +8,8 @@ import java.util.Map;
 import java.util.function.Supplier;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.directory.ModuleDirectory;
+import org.dfra.river.identity.ChannelIdentity;
+import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.lookup.DirectorySettings;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.jspecify.annotations.Nullable;
@@ -28,14 +30,17 @@ final class ModuleDirectorySupplier implements Supplier<ModuleDirectory>, AutoCl
     }
   }
 
-  private static final Map<DirectorySettings, SharedDirectory> OPEN =
-      new HashMap<>(); // guarded by itself
+  /** What its users must have in common. */
+  private record Shareable(DirectorySettings settings, @Nullable ChannelIdentity identity) {}
+
+  private static final Map<Shareable, SharedDirectory> OPEN = new HashMap<>(); // guarded by itself
 
   private final String module;
   private final String robot;
   private final String host;
   private final OwnRobotMatcher ownModules;
-  private final DirectorySettings settings;
+  private final Shareable at;
+  private final CurrentIdentity.Kept identity = CurrentIdentity.keep();
 
   @GuardedBy("OPEN")
   private @Nullable SharedDirectory used;
@@ -48,8 +53,11 @@ final class ModuleDirectorySupplier implements Supplier<ModuleDirectory>, AutoCl
     this.robot = activation.module().robot();
     this.host = activation.host();
     this.ownModules = new OwnRobotMatcher(activation);
-    this.settings =
-        DirectorySettings.of(activation.host(), activation.lookupGroups(), activation.locators());
+    this.at =
+        new Shareable(
+            DirectorySettings.of(
+                activation.host(), activation.lookupGroups(), activation.locators()),
+            CurrentIdentity.get());
   }
 
   /**
@@ -67,10 +75,10 @@ final class ModuleDirectorySupplier implements Supplier<ModuleDirectory>, AutoCl
       if (closed) {
         throw new IllegalStateException(module + " has ended and looks for no other modules");
       }
-      shared = OPEN.get(settings);
+      shared = OPEN.get(at);
       if (shared == null) {
         shared = new SharedDirectory(open());
-        OPEN.put(settings, shared);
+        OPEN.put(at, shared);
       }
       shared.users++;
       used = shared;
@@ -84,7 +92,7 @@ final class ModuleDirectorySupplier implements Supplier<ModuleDirectory>, AutoCl
 
   private JiniModuleDirectory open() {
     try {
-      return new JiniModuleDirectory(settings, InstantSource.system());
+      return identity.call(() -> new JiniModuleDirectory(at.settings(), InstantSource.system()));
     } catch (IOException e) {
       throw new ConfigurationException(
           module
@@ -104,7 +112,7 @@ final class ModuleDirectorySupplier implements Supplier<ModuleDirectory>, AutoCl
       SharedDirectory shared = used;
       used = null;
       if (shared != null && --shared.users == 0) {
-        OPEN.remove(settings);
+        OPEN.remove(at);
         ending = shared.directory;
       }
     }

@@ -42,7 +42,8 @@ public abstract class EffectorProxy<C extends Command, E extends Effector<C>> ex
     long asked = Scheduler.system().nanos();
     CommandLease given = target().acquireCommandLease(duration);
     return given instanceof GrantedCommandLease leased
-        ? ProxyCommandLease.startRenewing(identification().path(), leased, duration, asked)
+        ? ProxyCommandLease.startRenewing(
+            identification().path(), leased, server(), duration, asked)
         : given;
   }
 

@@ -2,7 +2,9 @@ package org.dfra.river.server.behavior;
 
 import java.math.BigInteger;
 import java.rmi.RemoteException;
-import java.util.Optional;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
 import org.dfra.core.behavior.BehaviorImpl;
 import org.dfra.river.identity.ChannelIdentity;
 import org.dfra.river.identity.ChannelPeer;
@@ -16,8 +18,9 @@ import org.slf4j.LoggerFactory;
  * member, the goal is paused and the robot stands, until another member resumes or cancels it. This
  * holds for a goal of an earlier process too.
  *
- * <p>It stores the number of the member's certificate. What the robot's own processes have given
- * has no requester: a revoked robot still works for itself. Thread-safe.
+ * <p>It stores the number of the member's certificate, and of the one on whose behalf it has
+ * called. What the robot's own processes have given has no requester: a revoked robot still works
+ * for itself. Thread-safe.
  */
 final class GoalRequester implements AutoCloseable {
 
@@ -59,10 +62,9 @@ final class GoalRequester implements AutoCloseable {
   synchronized <T extends @Nullable Object> T by(Request<T> request) throws RemoteException {
     String former = behavior.requester();
     behavior.storeRequester(
-        ChannelPeer.ofCurrentCall()
-            .flatMap(ChannelPeer::certificateNumber)
+        ChannelPeer.ofCurrentCall().map(ChannelPeer::certificateNumbers).orElse(List.of()).stream()
             .map(number -> number.toString(RADIX))
-            .orElse(""));
+            .collect(Collectors.joining(" ")));
     boolean isAccepted = false;
     T result;
     try {
@@ -93,17 +95,21 @@ final class GoalRequester implements AutoCloseable {
   }
 
   private boolean isRevoked() {
-    return identity != null && number().map(identity::isRevoked).orElse(false);
+    return identity != null && numbers().stream().anyMatch(identity::isRevoked);
   }
 
-  private Optional<BigInteger> number() {
-    String stored = behavior.requester();
-    try {
-      return stored.isEmpty() ? Optional.empty() : Optional.of(new BigInteger(stored, RADIX));
-    } catch (NumberFormatException e) {
-      LOG.error("{}: it is not known who gave its goal: {}", path, e.getMessage());
-      return Optional.empty();
+  private List<BigInteger> numbers() {
+    List<BigInteger> numbers = new ArrayList<>();
+    for (String each : behavior.requester().split(" ", -1)) {
+      try {
+        if (!each.isEmpty()) {
+          numbers.add(new BigInteger(each, RADIX));
+        }
+      } catch (NumberFormatException e) {
+        LOG.error("{}: it is not known who gave its goal: {}", path, e.getMessage());
+      }
     }
+    return numbers;
   }
 
   @Override

@@ -12,7 +12,6 @@ import java.time.InstantSource;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -41,6 +40,10 @@ class GoalRequesterTest {
   private static final long ANNA = 7;
   private static final long OSCAR = 9;
   private static final long OWN = 0; // without a number
+  private static final long NOBODY = 99;
+
+  /** On whose behalf the next call is. */
+  private long delegating = NOBODY;
 
   private final Set<BigInteger> revoked = ConcurrentHashMap.newKeySet();
   private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
@@ -128,10 +131,10 @@ class GoalRequesterTest {
                 new Class<?>[] {ChannelPeer.class},
                 (self, method, arguments) ->
                     switch (method.getName()) {
-                      case "certificateNumber" ->
+                      case "certificateNumbers" ->
                           number == OWN
-                              ? Optional.empty()
-                              : Optional.of(BigInteger.valueOf(number));
+                              ? List.of()
+                              : List.of(BigInteger.valueOf(number), BigInteger.valueOf(delegating));
                       default -> throw new UnsupportedOperationException(method.toString());
                     });
     ServerContext.doWithServerContext(
@@ -169,6 +172,17 @@ class GoalRequesterTest {
     awaitPaused(walk);
     walk.resumeUnattended();
     assertThat(walk.status().phase()).isEqualTo(Phase.PAUSED);
+  }
+
+  @Test
+  void pausesAGoalThatWasGivenOnBehalfOfARevokedMember() {
+    delegating = OSCAR;
+    pursue(ANNA);
+    delegating = NOBODY;
+    revoke(NOBODY);
+    assertThat(walk.status().phase()).isEqualTo(Phase.RUNNING);
+    revoke(OSCAR);
+    awaitPaused(walk);
   }
 
   @Test
