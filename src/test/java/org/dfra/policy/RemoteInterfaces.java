@@ -10,7 +10,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.dfra.build.MainClassNames;
-import org.dfra.core.policy.MethodKinds;
+import org.dfra.core.policy.method.MethodKinds;
 
 /** All remote interfaces that programs of DFRA call, as they are found in the class files. */
 final class RemoteInterfaces {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.LongSupplier;
+import org.dfra.core.policy.method.CalledMethod;
 import org.dfra.security.AccessRequest;
 import org.dfra.security.Behalf;
 import org.dfra.security.Caller;

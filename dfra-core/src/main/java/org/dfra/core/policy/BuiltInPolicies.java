@@ -3,6 +3,7 @@ package org.dfra.core.policy;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import org.dfra.core.policy.method.InterfaceCatalogue;
 import org.dfra.security.Member;
 import org.dfra.security.MemberRole;
 

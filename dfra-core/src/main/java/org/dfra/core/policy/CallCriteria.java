@@ -3,8 +3,10 @@ package org.dfra.core.policy;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.dfra.core.policy.InterfaceCatalogue.CataloguedInterface;
 import org.dfra.core.policy.PolicyRule.Effect;
+import org.dfra.core.policy.method.CalledMethod;
+import org.dfra.core.policy.method.InterfaceCatalogue.CataloguedInterface;
+import org.dfra.core.policy.method.MethodKind;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -37,7 +39,9 @@ record CallCriteria(
    * @param object name of the called object; empty if it has none
    */
   @Nullable String mismatch(CalledMethod method, String robot, String object, Effect effect) {
-    if (!interfaces.isEmpty() && interfaces.stream().noneMatch(each -> method.isOf(each, effect))) {
+    if (!interfaces.isEmpty()
+        && interfaces.stream()
+            .noneMatch(each -> method.isOf(each, effect == PolicyRule.Effect.DENY))) {
       return "the method does not belong to "
           + interfaces.stream()
               .map(CataloguedInterface::simpleName)

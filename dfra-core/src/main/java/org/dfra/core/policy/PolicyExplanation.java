@@ -3,6 +3,7 @@ package org.dfra.core.policy;
 import java.util.ArrayList;
 import java.util.List;
 import org.dfra.core.policy.PolicyRule.Effect;
+import org.dfra.core.policy.method.CalledMethod;
 import org.dfra.security.Caller;
 import org.jspecify.annotations.Nullable;
 

@@ -6,6 +6,8 @@ import java.util.Optional;
 import java.util.function.LongSupplier;
 import java.util.stream.Stream;
 import org.dfra.core.policy.ActivePolicy.Candidate;
+import org.dfra.core.policy.method.CalledMethod;
+import org.dfra.core.policy.method.MethodKind;
 import org.dfra.security.AccessRequest;
 import org.dfra.security.Behalf;
 import org.dfra.security.Caller;

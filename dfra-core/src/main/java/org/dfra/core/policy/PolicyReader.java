@@ -11,6 +11,7 @@ import org.dfra.core.budget.RadioLimit;
 import org.dfra.core.config.ConfigurationFaults;
 import org.dfra.core.config.Substitution;
 import org.dfra.core.config.XmlValues;
+import org.dfra.core.policy.method.InterfaceCatalogue;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.security.Member;
 import org.dfra.security.MemberRole;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.dfra.core.config.SourceLocation;
+import org.dfra.core.policy.method.CalledMethod;
 import org.dfra.security.Caller;
 import org.jspecify.annotations.Nullable;
 

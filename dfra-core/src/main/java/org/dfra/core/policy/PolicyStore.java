@@ -15,6 +15,7 @@ import java.security.cert.X509Certificate;
 import java.util.Optional;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.host.PrivateFiles;
+import org.dfra.core.policy.method.InterfaceCatalogue;
 
 /**
  * A folder with the signed policy of a robot: {@value #POLICY} and {@value #SIGNATURE}. It is

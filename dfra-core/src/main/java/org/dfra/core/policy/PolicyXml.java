@@ -12,6 +12,7 @@ import org.dfra.core.config.ConfigurationFaults;
 import org.dfra.core.config.SourceFile;
 import org.dfra.core.config.SourceLocation;
 import org.dfra.core.config.XmlSchema;
+import org.dfra.core.policy.method.InterfaceCatalogue;
 import org.jdom2.Element;
 
 /**

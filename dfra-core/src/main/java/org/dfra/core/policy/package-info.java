@@ -8,9 +8,10 @@
  * </pre>
  *
  * <p>Start at {@link org.dfra.core.policy.PolicyGuard}, which decides about calls, or at {@link
- * org.dfra.core.policy.PolicyXml}, which reads a policy. {@link org.dfra.core.policy.MethodKinds}
- * says what kind of method each remote method is. {@link org.dfra.core.policy.PolicyBundle} is a
- * signed policy. The reference for users is {@code docs/reference/policy.md}.
+ * org.dfra.core.policy.PolicyXml}, which reads a policy. {@link
+ * org.dfra.core.policy.method.MethodKinds} says what kind of method each remote method is. {@link
+ * org.dfra.core.policy.PolicyBundle} is a signed policy. The reference for users is {@code
+ * docs/reference/policy.md}.
  */
 @NullMarked
 package org.dfra.core.policy;

@@ -4,6 +4,7 @@ import java.lang.reflect.Method;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Optional;
+import org.dfra.core.policy.method.InterfaceCatalogue;
 import org.dfra.flow.effector.DriveEffector;
 import org.dfra.security.AccessRequest;
 import org.dfra.security.Caller;

@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.policy.PolicyRule.Effect;
+import org.dfra.core.policy.method.InterfaceCatalogue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

@@ -13,6 +13,8 @@ import java.util.Objects;
 import java.util.TreeMap;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import org.dfra.core.policy.method.InterfaceCatalogue;
+import org.dfra.core.policy.method.MethodKind;
 import org.junit.jupiter.api.Test;
 
 /** The reference for users says what the schema and the reader say, and its examples are valid. */

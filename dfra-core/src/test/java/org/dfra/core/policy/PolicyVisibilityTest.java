@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import org.dfra.core.config.ConfigurationException;
+import org.dfra.core.policy.method.InterfaceCatalogue;
 import org.dfra.core.query.QueryTypeNames;
 import org.dfra.persona.Attributes;
 import org.dfra.persona.PersonaAttributes;

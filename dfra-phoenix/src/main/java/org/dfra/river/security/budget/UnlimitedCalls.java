@@ -4,7 +4,7 @@ import java.lang.reflect.Method;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
-import org.dfra.core.policy.MethodKinds;
+import org.dfra.core.policy.method.MethodKinds;
 import org.dfra.security.AccessRequest;
 import org.dfra.security.Caller.Standing;
 import org.jspecify.annotations.Nullable;

@@ -1,4 +1,4 @@
-package org.dfra.core.policy;
+package org.dfra.core.policy.method;
 
 import java.util.Arrays;
 import java.util.Locale;

@@ -1,12 +1,12 @@
-package org.dfra.core.policy;
+package org.dfra.core.policy.method;
 
 import java.lang.reflect.Method;
 import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.dfra.core.policy.InterfaceCatalogue.CataloguedInterface;
-import org.dfra.core.policy.InterfaceCatalogue.DeclaredKind;
+import org.dfra.core.policy.method.InterfaceCatalogue.CataloguedInterface;
+import org.dfra.core.policy.method.InterfaceCatalogue.DeclaredKind;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -30,7 +30,7 @@ public record CalledMethod(
    *
    * @param type the object's class, or one of its interfaces if no more is known
    */
-  static CalledMethod of(Class<?> type, Method method) {
+  public static CalledMethod of(Class<?> type, Method method) {
     Set<String> interfaces =
         MethodKinds.interfaces(type).stream()
             .filter(
@@ -72,10 +72,14 @@ public record CalledMethod(
     return new CalledMethod(interfaces, name, kind, false);
   }
 
-  /** Whether it is a method of an interface, as far as a rule must know for its effect. */
-  boolean isOf(CataloguedInterface named, PolicyRule.Effect effect) {
+  /**
+   * Whether it is a method of an interface, as far as a rule must know for its effect.
+   *
+   * @param isDenial whether the rule denies: then it is one if it may be
+   */
+  public boolean isOf(CataloguedInterface named, boolean isDenial) {
     return interfaces.contains(named.name())
-        || (effect == PolicyRule.Effect.DENY
+        || (isDenial
             && !isClassKnown
             && named.superinterfaces().stream().anyMatch(interfaces::contains));
   }

@@ -1,4 +1,4 @@
-package org.dfra.core.policy;
+package org.dfra.core.policy.method;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -10,8 +10,8 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import org.dfra.core.policy.InterfaceCatalogue.CataloguedInterface;
-import org.dfra.core.policy.InterfaceCatalogue.DeclaredKind;
+import org.dfra.core.policy.method.InterfaceCatalogue.CataloguedInterface;
+import org.dfra.core.policy.method.InterfaceCatalogue.DeclaredKind;
 import org.jspecify.annotations.Nullable;
 
 /** Reads the table of DFRA's and River's remote interfaces, a resource of this package. */

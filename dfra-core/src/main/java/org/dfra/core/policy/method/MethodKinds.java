@@ -1,12 +1,12 @@
-package org.dfra.core.policy;
+package org.dfra.core.policy.method;
 
 import java.lang.reflect.Method;
 import java.util.Arrays;
 import java.util.LinkedHashSet;
 import java.util.Optional;
 import java.util.Set;
-import org.dfra.core.policy.InterfaceCatalogue.CataloguedInterface;
-import org.dfra.core.policy.InterfaceCatalogue.DeclaredKind;
+import org.dfra.core.policy.method.InterfaceCatalogue.CataloguedInterface;
+import org.dfra.core.policy.method.InterfaceCatalogue.DeclaredKind;
 import org.dfra.module.Administrative;
 import org.dfra.module.Idempotent;
 import org.jspecify.annotations.Nullable;

@@ -1,4 +1,4 @@
-package org.dfra.core.policy;
+package org.dfra.core.policy.method;
 
 import java.lang.reflect.Method;
 import java.util.Collection;
@@ -157,7 +157,7 @@ public final class InterfaceCatalogue {
   }
 
   /** The catalogue of a table; see {@link InterfaceTable}. */
-  static InterfaceCatalogue parse(String table) {
+  public static InterfaceCatalogue parse(String table) {
     return new InterfaceCatalogue(InterfaceTable.parse(table), null);
   }
 }
