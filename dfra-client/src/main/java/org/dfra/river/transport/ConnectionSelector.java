@@ -7,6 +7,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.CancelledKeyException;
 import java.nio.channels.ClosedChannelException;
 import java.nio.channels.ClosedSelectorException;
+import java.nio.channels.SelectableChannel;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.nio.channels.ServerSocketChannel;
@@ -239,8 +240,11 @@ final class ConnectionSelector {
   private void register(ServerConnection connection) {
     try {
       connection.link().setBlocking(false);
-      SelectionKey key =
-          connection.link().channel().register(selector, SelectionKey.OP_READ, connection);
+      SelectableChannel channel = connection.link().channel();
+      if (channel.keyFor(selector) != null) { // a worker had it for a part of this round only
+        int unused = selector.selectNow(); // forgets the key that was cancelled for the worker
+      }
+      SelectionKey key = channel.register(selector, SelectionKey.OP_READ, connection);
       if (connection.state() != State.CLOSING) {
         connection.enter(State.IDLE);
         if (connection.port().isClosed()) {
