@@ -3,6 +3,7 @@ package org.dfra.core.policy;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.LongSupplier;
 import java.util.stream.Stream;
 import org.dfra.core.policy.ActivePolicy.Candidate;
@@ -14,6 +15,7 @@ import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
 import org.dfra.security.Member;
+import org.dfra.security.Permissions;
 import org.dfra.security.Visibility;
 import org.jspecify.annotations.Nullable;
 
@@ -37,7 +39,15 @@ public final class PolicyGuard implements Guard {
   private final @Nullable DecisionListener listener;
   private final InstantSource clock;
   private final LongSupplier nanos;
+  private final Permissions permissions = new PresentPermissions();
+  private final List<Runnable> replacementListeners = new CopyOnWriteArrayList<>();
   private volatile ActivePolicy active; // written by replace only
+
+  /** Whether a call is made, or what an earlier one has obtained is looked at again. */
+  private enum Purpose {
+    CALL,
+    REVIEW
+  }
 
   /** A guard without facts, confirmations and listener. */
   public PolicyGuard(Policy policy) {
@@ -78,10 +88,41 @@ public final class PolicyGuard implements Guard {
 
   @Override
   public Decision decide(AccessRequest request) {
+    return decide(request, Purpose.CALL);
+  }
+
+  private Decision decide(AccessRequest request, Purpose purpose) {
     ActivePolicy now = active;
     AccessRequest known = recognised(request, now.policy());
     Optional<Behalf> behalf = known.caller().behalf();
-    return behalf.isEmpty() ? decide(now, known) : decideOnBehalf(now, known, behalf.get());
+    return behalf.isEmpty()
+        ? decide(now, known, purpose)
+        : decideOnBehalf(now, known, behalf.get(), purpose);
+  }
+
+  @Override
+  public Permissions permissions() {
+    return permissions;
+  }
+
+  /** What the present policy says about calls of earlier ones. */
+  private final class PresentPermissions implements Permissions {
+
+    @Override
+    public long version() {
+      return policy().version();
+    }
+
+    @Override
+    public boolean isStillPermitted(AccessRequest call) {
+      return decide(call, Purpose.REVIEW).isPermitted();
+    }
+
+    @Override
+    public Runnable onReplacement(Runnable listener) {
+      replacementListeners.add(listener);
+      return () -> replacementListeners.remove(listener);
+    }
   }
 
   /**
@@ -89,34 +130,37 @@ public final class PolicyGuard implements Guard {
    * member, and that member to make it. A stop is the caller's own: what it carries may not prevent
    * it.
    */
-  private Decision decideOnBehalf(ActivePolicy now, AccessRequest request, Behalf behalf) {
+  private Decision decideOnBehalf(
+      ActivePolicy now, AccessRequest request, Behalf behalf, Purpose purpose) {
     AccessRequest alone = request.by(request.caller().alone());
     if (CalledMethod.of(request.type(), request.method()).kind() == MethodKind.STOP) {
-      return decide(now, alone);
+      return decide(now, alone, purpose);
     }
     Optional<Member> principal = behalf.principal();
     if (principal.isEmpty()) {
-      return observed(now, request, Obligations.NONE, Decision.deny(DELEGATION, behalf.fault()));
+      Decision unproved = Decision.deny(DELEGATION, behalf.fault());
+      return observed(now, request, Obligations.NONE, unproved, purpose);
     }
-    Decision bearer = decide(now, request);
+    Decision bearer = decide(now, request, purpose);
     if (!bearer.isPermitted()) {
       return bearer;
     }
     Caller delegating = new Caller(Caller.Standing.MEMBER, principal, request.caller().address());
-    Decision delegated = decide(now, request.by(delegating));
+    Decision delegated = decide(now, request.by(delegating), purpose);
     return delegated.isPermitted()
         ? Decision.permit(bearer.rule() + BOTH + delegated.rule())
         : delegated;
   }
 
-  private Decision decide(ActivePolicy now, AccessRequest known) {
+  private Decision decide(ActivePolicy now, AccessRequest known, Purpose purpose) {
     for (Candidate each : now.candidates(known)) {
       if (each.isImmediate()) {
-        return observed(now, known, each.obligations(), each.decision());
+        return observed(now, known, each.obligations(), each.decision(), purpose);
       }
       PolicyRule rule = each.rule();
       if (rule != null && rule.appliesNow(facts)) {
-        return observed(now, known, each.obligations(), checked(rule, each, known));
+        Decision decision = purpose == Purpose.CALL ? checked(rule, each, known) : each.decision();
+        return observed(now, known, each.obligations(), decision, purpose);
       }
     }
     throw new AssertionError("the last candidate always decides");
@@ -150,8 +194,12 @@ public final class PolicyGuard implements Guard {
   }
 
   private Decision observed(
-      ActivePolicy now, AccessRequest request, Obligations obligations, Decision decision) {
-    if (listener != null && listener.concerns(obligations)) {
+      ActivePolicy now,
+      AccessRequest request,
+      Obligations obligations,
+      Decision decision,
+      Purpose purpose) {
+    if (purpose == Purpose.CALL && listener != null && listener.concerns(obligations)) {
       listener.onDecision(
           new DecisionRecord(
               clock.instant(), request, decision, now.policy().version(), obligations));
@@ -188,18 +236,22 @@ public final class PolicyGuard implements Guard {
   }
 
   /**
-   * Replaces the policy: later calls are decided by the new one. Counts of rates begin again.
+   * Replaces the policy: later calls are decided by the new one. Counts of rates begin again. Then
+   * calls the listeners of {@link #permissions}.
    *
    * @param next has a higher version than the present one, and is of the same team
    * @return false, with nothing changed, if it is the present one
    * @throws PolicyReplacementException if it is older, of another team, or a different one of the
    *     same version
    */
-  public synchronized boolean replace(Policy next) {
-    if (!policy().identity().isReplacedBy(next.identity(), next.place().file())) {
-      return false;
+  public boolean replace(Policy next) {
+    synchronized (this) {
+      if (!policy().identity().isReplacedBy(next.identity(), next.place().file())) {
+        return false;
+      }
+      active = new ActivePolicy(next, nanos);
     }
-    active = new ActivePolicy(next, nanos);
+    replacementListeners.forEach(Runnable::run);
     return true;
   }
 }
