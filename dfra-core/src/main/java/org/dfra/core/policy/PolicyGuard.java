@@ -4,6 +4,7 @@ import java.time.InstantSource;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.LongSupplier;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.dfra.core.policy.ActivePolicy.Candidate;
 import org.dfra.core.policy.method.CalledMethod;
@@ -78,10 +79,28 @@ public final class PolicyGuard implements Guard {
 
   @Override
   public Decision decide(AccessRequest request) {
+    return decide(request, UnaryOperator.identity());
+  }
+
+  @Override
+  public Decision decide(AccessRequest request, UnaryOperator<Decision> last) {
     ActivePolicy now = active;
     AccessRequest known = recognised(request, now.policy());
     Optional<Behalf> behalf = known.caller().behalf();
-    return behalf.isEmpty() ? decide(now, known) : decideOnBehalf(now, known, behalf.get());
+    return behalf.isEmpty()
+        ? decide(now, known, last)
+        : decideOnBehalf(now, known, behalf.get(), last);
+  }
+
+  private Decision decide(ActivePolicy now, AccessRequest request, UnaryOperator<Decision> last) {
+    Candidate rule = deciding(now, request);
+    Decision decision = rule.decision();
+    if (rule.unmet() != null) {
+      decision = checked(List.of(new Permission(rule, request)), request, decision, last);
+    } else if (decision.isPermitted()) {
+      decision = last.apply(decision);
+    }
+    return observed(now, request, rule.obligations(), decision);
   }
 
   /**
@@ -89,34 +108,39 @@ public final class PolicyGuard implements Guard {
    * member, and that member to make it. A stop is the caller's own: what it carries may not prevent
    * it.
    */
-  private Decision decideOnBehalf(ActivePolicy now, AccessRequest request, Behalf behalf) {
-    AccessRequest alone = request.by(request.caller().alone());
+  private Decision decideOnBehalf(
+      ActivePolicy now, AccessRequest request, Behalf behalf, UnaryOperator<Decision> last) {
     if (CalledMethod.of(request.type(), request.method()).kind() == MethodKind.STOP) {
-      return decide(now, alone);
+      return decide(now, request.by(request.caller().alone()), last);
     }
     Optional<Member> principal = behalf.principal();
     if (principal.isEmpty()) {
       return observed(now, request, Obligations.NONE, Decision.deny(DELEGATION, behalf.fault()));
     }
-    Decision bearer = decide(now, request);
-    if (!bearer.isPermitted()) {
-      return bearer;
+    Candidate bearer = deciding(now, request);
+    if (!bearer.decision().isPermitted()) {
+      return observed(now, request, bearer.obligations(), bearer.decision());
     }
     Caller delegating = new Caller(Caller.Standing.MEMBER, principal, request.caller().address());
-    Decision delegated = decide(now, request.by(delegating));
-    return delegated.isPermitted()
-        ? Decision.permit(bearer.rule() + BOTH + delegated.rule())
-        : delegated;
+    AccessRequest delegated = request.by(delegating);
+    Candidate second = deciding(now, delegated);
+    Obligations both = bearer.obligations().and(second.obligations());
+    if (!second.decision().isPermitted()) {
+      return observed(now, request, both, second.decision());
+    }
+    Decision permitted =
+        Decision.permit(bearer.decision().rule() + BOTH + second.decision().rule());
+    List<Permission> permissions =
+        List.of(new Permission(bearer, request), new Permission(second, delegated));
+    return observed(now, request, both, checked(permissions, request, permitted, last));
   }
 
-  private Decision decide(ActivePolicy now, AccessRequest known) {
+  /** The rule that decides about a call, as far as its conditions are concerned. */
+  private Candidate deciding(ActivePolicy now, AccessRequest known) {
     for (Candidate each : now.candidates(known)) {
-      if (each.isImmediate()) {
-        return observed(now, known, each.obligations(), each.decision());
-      }
       PolicyRule rule = each.rule();
-      if (rule != null && rule.appliesNow(facts)) {
-        return observed(now, known, each.obligations(), checked(rule, each, known));
+      if (each.isImmediate() || (rule != null && rule.appliesNow(facts))) {
+        return each;
       }
     }
     throw new AssertionError("the last candidate always decides");
@@ -128,25 +152,67 @@ public final class PolicyGuard implements Guard {
     return now.visibility(recognised(caller.alone(), now.policy())); // it sees for itself
   }
 
-  /** The decision of a rule that applies, after its rate and its confirmation are checked. */
-  private Decision checked(PolicyRule rule, Candidate candidate, AccessRequest request) {
-    ActivePolicy.@Nullable UnmetObligations unmet = candidate.unmet();
-    if (unmet == null) {
-      return candidate.decision();
+  /**
+   * A rule that permits a call.
+   *
+   * @param counted the call, by the caller to whom the rule permits it
+   */
+  private record Permission(Candidate rule, AccessRequest counted) {}
+
+  /**
+   * The decision about a call that rules permit, after their rates and confirmations are checked. A
+   * confirmation is used last: a call that does not run uses none. All that are missing are asked
+   * for at once.
+   *
+   * @param request the call as it is made, which is what an operator confirms
+   */
+  private Decision checked(
+      List<Permission> permissions,
+      AccessRequest request,
+      Decision permitted,
+      UnaryOperator<Decision> last) {
+    @Nullable Decision missing = null;
+    for (Permission each : permissions) {
+      ActivePolicy.@Nullable UnmetObligations unmet = each.rule().unmet();
+      @Nullable PolicyRule rule = asking(each);
+      if (unmet != null && rule != null) {
+        switch (confirmations.ask(request, rule)) {
+          case REFUSED -> {
+            return unmet.refused();
+          }
+          case NONE -> missing = unmet.notConfirmed();
+          case CONFIRMED -> {}
+        }
+      }
     }
-    boolean needsConfirmation = rule.obligations().isConfirmed();
-    Confirmations.Answer answer =
-        needsConfirmation ? confirmations.ask(request, rule) : Confirmations.Answer.CONFIRMED;
-    if (answer != Confirmations.Answer.CONFIRMED) {
-      return answer == Confirmations.Answer.NONE ? unmet.notConfirmed() : unmet.refused();
+    if (missing != null) {
+      return missing;
     }
-    @Nullable CallRateLimiter limiter = candidate.limiter();
-    if (limiter != null && !limiter.tryCall(request)) {
-      return unmet.tooOften(); // which uses no confirmation
+    for (Permission each : permissions) {
+      @Nullable CallRateLimiter limiter = each.rule().limiter();
+      ActivePolicy.@Nullable UnmetObligations unmet = each.rule().unmet();
+      if (unmet != null && limiter != null && !limiter.tryCall(each.counted())) {
+        return unmet.tooOften();
+      }
     }
-    return !needsConfirmation || confirmations.use(request, rule)
-        ? candidate.decision()
-        : unmet.notConfirmed();
+    Decision decision = last.apply(permitted);
+    for (Permission each : permissions) {
+      @Nullable PolicyRule rule = asking(each);
+      ActivePolicy.@Nullable UnmetObligations unmet = each.rule().unmet();
+      if (decision.isPermitted()
+          && unmet != null
+          && rule != null
+          && !confirmations.use(request, rule)) {
+        return unmet.notConfirmed();
+      }
+    }
+    return decision;
+  }
+
+  /** The rule, if it obliges to ask an operator. */
+  private static @Nullable PolicyRule asking(Permission permission) {
+    @Nullable PolicyRule rule = permission.rule().rule();
+    return rule != null && rule.obligations().isConfirmed() ? rule : null;
   }
 
   private Decision observed(

@@ -16,6 +16,7 @@ import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
+import org.dfra.core.budget.BudgetGuard;
 import org.dfra.core.policy.ConfirmationRequests.PendingConfirmation;
 import org.dfra.core.policy.Obligations.RateLimit;
 import org.dfra.security.Caller;
@@ -164,6 +165,39 @@ class ObligationsTest {
     assertThat(guard.decide(call(ANNA, "execute")).reason()).contains("call less often");
     pass(10_000);
     assertThat(guard.decide(call(ANNA, "execute")).isPermitted()).isTrue();
+  }
+
+  @Test
+  void aStopNeedsNoConfirmationAndHasNoRate() {
+    PolicyGuard guard = guard("<permit><ask/><rate max=\"1\" per=\"1h\"/></permit>");
+    for (int i = 0; i < 3; i++) {
+      assertThat(guard.decide(call(BOB, "emergencyStop")).isPermitted()).as("stop %d", i).isTrue();
+    }
+    assertThat(requests.pending()).isEmpty();
+    assertThat(guard.decide(call(ANNA, "releaseEmergencyStop")).isPermitted()).isFalse();
+  }
+
+  @Test
+  void aCallThatABudgetRefusesUsesNoConfirmation() {
+    PolicyGuard policy =
+        guard(
+            "<permit name=\"ask-first\" interface=\"Effector\" method=\"execute\"><ask/></permit>",
+            "<permit/><budget calls=\"1/s\"/>");
+    BudgetGuard guard =
+        new BudgetGuard(
+            policy, () -> policy.policy().budgets(), "atrv1", r -> false, nanos::get, w -> {});
+    guard.decide(call(ANNA, "execute"));
+    assertThat(requests.answer(requestOf("execute"), true)).isTrue();
+    assertThat(guard.decide(call(ANNA, "readiness")).isPermitted()).isTrue();
+    Decision refused = guard.decide(call(ANNA, "execute"));
+    assertThat(refused.rule()).startsWith("budget ");
+    assertThat(observed.get(observed.size() - 1).decision())
+        .as("what the log says")
+        .isEqualTo(refused);
+    pass(1000);
+    assertThat(guard.decide(call(ANNA, "execute")).isPermitted())
+        .as("the confirmation is still there")
+        .isTrue();
   }
 
   @Test
