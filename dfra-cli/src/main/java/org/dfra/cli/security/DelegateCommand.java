@@ -51,7 +51,7 @@ final class DelegateCommand implements Callable<Integer> {
   @Parameters(
       index = "0",
       paramLabel = "ROLE",
-      description = "Role of the other member: robot, observer or operator.")
+      description = "Role of the other member: robot or observer.")
   private String role = "";
 
   @Parameters(index = "1", paramLabel = "NAME", description = "Name of the other member.")

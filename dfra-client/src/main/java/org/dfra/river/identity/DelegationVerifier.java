@@ -33,6 +33,8 @@ final class DelegationVerifier {
 
   /**
    * @param own who is called
+   * @param clock of the one who is called; while a {@link FlooredClock} is not set, no delegation
+   *     counts, since its time stands still
    */
   DelegationVerifier(Member own, MemberTrust trust, InstantSource clock) {
     this.own = own;
@@ -97,6 +99,14 @@ final class DelegationVerifier {
               + ", and not for "
               + own
               + REMEDY);
+    }
+    if (clock instanceof FlooredClock known && !known.isSet()) {
+      return Optional.of(
+          "it is not known whether the "
+              + delegation
+              + " still lasts, since the clock of "
+              + own
+              + " was not set; set it");
     }
     Instant now = clock.instant();
     if (now.isAfter(delegation.until())) {
