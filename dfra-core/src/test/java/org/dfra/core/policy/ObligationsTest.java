@@ -13,6 +13,7 @@ import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
@@ -255,5 +256,33 @@ class ObligationsTest {
     pass(1000);
     assertThat(log.countLine()).as("omitted before it").isEqualTo(2);
     assertThat(log.countLine()).isZero();
+  }
+
+  /** The disk of a log may stand still, and a stop must not wait for it. */
+  @Test
+  void aDecisionDoesNotWaitForTheLog() {
+    List<Runnable> waiting = new ArrayList<>();
+    DecisionLog log =
+        new DecisionLog(
+            nanos::get,
+            line -> {
+              if (waiting.size() == 2) {
+                throw new RejectedExecutionException("the log stands still");
+              }
+              waiting.add(line);
+            });
+    PolicyGuard guard =
+        new PolicyGuard(
+            policy("<permit name=\"noted\"><notify/></permit>"),
+            PolicyFacts.none(),
+            requests,
+            log,
+            InstantSource.fixed(NOON),
+            nanos::get);
+    for (int i = 0; i < 5; i++) {
+      assertThat(guard.decide(call(ANNA, "emergencyStop")).isPermitted()).isTrue();
+    }
+    assertThat(waiting).as("written by another thread").hasSize(2);
+    assertThat(log.countLine()).as("those that were not taken").isEqualTo(3);
   }
 }
