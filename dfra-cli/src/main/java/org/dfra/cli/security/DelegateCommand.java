@@ -120,6 +120,11 @@ final class DelegateCommand implements Callable<Integer> {
       throw new CommandFailure(
           ExitCode.FAILED, file + " exists; delete it, or name another file with --out");
     }
+    @Nullable Path folder = file.toAbsolutePath().getParent();
+    if (folder == null || !Files.isDirectory(folder)) {
+      throw new CommandFailure(
+          ExitCode.FAILED, "there is no folder " + folder + " for " + file + "; make it first");
+    }
     PrivateFiles.write(file, made.text().getBytes(StandardCharsets.US_ASCII));
     answer.lines(
         DelegationView.of(made, now),
