@@ -169,7 +169,7 @@ public record Delegation(
       Instant until = Instant.parse(lines.value("until"));
       X509Certificate certificate = certificate(lines.value("certificate"));
       int signedLength = lines.position();
-      byte[] signature = Base64.getDecoder().decode(lines.value("signature"));
+      byte[] signature = decoded(lines.value("signature"));
       lines.requireEnd();
       Delegation read =
           new Delegation(principal, bearer, fingerprint, robots, issued, until, certificate, text);
@@ -227,10 +227,18 @@ public record Delegation(
   }
 
   private static X509Certificate certificate(String base64) throws GeneralSecurityException {
-    byte[] bytes = Base64.getDecoder().decode(base64);
     return (X509Certificate)
         CertificateFactory.getInstance("X.509")
-            .generateCertificate(new ByteArrayInputStream(bytes));
+            .generateCertificate(new ByteArrayInputStream(decoded(base64)));
+  }
+
+  /** Bytes in Base64 in the one way in which {@link #sign} writes them. */
+  private static byte[] decoded(String base64) {
+    byte[] bytes = Base64.getDecoder().decode(base64);
+    if (!Base64.getEncoder().encodeToString(bytes).equals(base64)) { // bits that nothing needs
+      throw new IllegalArgumentException("the end of a text in Base64 was changed");
+    }
+    return bytes;
   }
 
   /** The fingerprint of a certificate as delegations write it. */

@@ -92,6 +92,7 @@ class DelegatedCallsTest {
   private final List<AccessRequest> requests = new CopyOnWriteArrayList<>();
   private final AtomicReference<@Nullable ChannelPeer> peer = new AtomicReference<>();
   private final Uuid id = UuidFactory.generate();
+  private final WheelsImpl impl = new WheelsImpl(); // an exporter refers to it weakly
   private BasicJeriExporter exporter;
   private int port;
 
@@ -135,7 +136,7 @@ class DelegatedCallsTest {
     exporter =
         new BasicJeriExporter(
             RecordingServer.endpoint(robot), new DeadlineILFactory(), false, true, id);
-    port = Objects.requireNonNull(PeerAddress.of(exporter.export(new WheelsImpl()))).port();
+    port = Objects.requireNonNull(PeerAddress.of(exporter.export(impl))).port();
   }
 
   @AfterEach
@@ -383,7 +384,7 @@ class DelegatedCallsTest {
             false,
             true,
             plainId);
-    int plainPort = Objects.requireNonNull(PeerAddress.of(plain.export(new WheelsImpl()))).port();
+    int plainPort = Objects.requireNonNull(PeerAddress.of(plain.export(impl))).port();
     try {
       Wheels wheels =
           CurrentIdentity.callAs(
