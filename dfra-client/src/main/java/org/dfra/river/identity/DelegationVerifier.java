@@ -67,7 +67,8 @@ final class DelegationVerifier {
   }
 
   /**
-   * Why it does not count for a call now, in a sentence.
+   * Why it does not count for a call now, in a sentence, which is the same for each call: the audit
+   * trail sums equal refusals.
    *
    * @param bearer who calls
    * @param certificate of the connection
@@ -117,9 +118,9 @@ final class DelegationVerifier {
               + delegation
               + " was signed at "
               + delegation.issued()
-              + ", and it is "
-              + now
-              + " here; set the clocks");
+              + ", which is later than it is by the clock of "
+              + own
+              + "; set the clocks");
     }
     Standing standing = trust.standing(delegation.certificate());
     return switch (standing) {

@@ -221,7 +221,10 @@ class DelegatedCallsTest {
     assertThat(fault(caller(bearer, usual))).contains("has expired");
     assertThat(granted.isRevoked()).as("a lease that it acquired").isTrue();
     now.set(Instant.now().minus(Duration.ofHours(1)));
-    assertThat(fault(caller(bearer, usual))).contains("set the clocks");
+    Caller early = caller(bearer, usual);
+    assertThat(fault(early)).contains("set the clocks");
+    now.set(now.get().plusNanos(1));
+    assertThat(caller(bearer, usual)).as("the audit trail sums equal ones").isEqualTo(early);
   }
 
   /** Its own time would stand still, and the delegation would last for as long as it does. */
