@@ -112,6 +112,12 @@ public record Delegation(
     Instant from = issued.truncatedTo(ChronoUnit.SECONDS);
     Instant to = until.truncatedTo(ChronoUnit.SECONDS);
     try {
+      new Delegation(principal, bearer, fingerprint, robots, from, to, certificate, "")
+          .requireForm();
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException("this cannot be delegated: " + e.getMessage(), e);
+    }
+    try {
       String signed =
           String.join(
               "\n",
@@ -188,6 +194,10 @@ public record Delegation(
     }
     if (principal.role() != MemberRole.OPERATOR) {
       throw new IllegalArgumentException("only operators delegate, and it is from " + principal);
+    }
+    if (bearer.role() == MemberRole.OPERATOR) {
+      throw new IllegalArgumentException(
+          "it is to " + bearer + ", and operators command for themselves");
     }
     if (!bearer.team().equals(principal.team())) {
       throw new IllegalArgumentException("it is from " + principal + " to " + bearer);

@@ -118,11 +118,10 @@ public final class BudgetGuard implements Guard {
 
   @Override
   public Decision decide(AccessRequest request) {
-    Decision decision = guard.decide(request);
     BudgetAccounts now = inForce();
-    return !decision.isPermitted() || now.measurement() == Measurement.NONE
-        ? decision
-        : admitted(decision, request, now);
+    return now.measurement() == Measurement.NONE
+        ? guard.decide(request)
+        : guard.decide(request, permitted -> admitted(permitted, request, now));
   }
 
   private Decision admitted(Decision decision, AccessRequest request, BudgetAccounts now) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.LongSupplier;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.dfra.core.policy.ActivePolicy.Candidate;
 import org.dfra.core.policy.method.CalledMethod;
@@ -42,12 +43,6 @@ public final class PolicyGuard implements Guard {
   private final Permissions permissions = new PresentPermissions();
   private final List<Runnable> replacementListeners = new CopyOnWriteArrayList<>();
   private volatile ActivePolicy active; // written by replace only
-
-  /** Whether a call is made, or what an earlier one has obtained is looked at again. */
-  private enum Purpose {
-    CALL,
-    REVIEW
-  }
 
   /** A guard without facts, confirmations and listener. */
   public PolicyGuard(Policy policy) {
@@ -88,16 +83,70 @@ public final class PolicyGuard implements Guard {
 
   @Override
   public Decision decide(AccessRequest request) {
-    return decide(request, Purpose.CALL);
+    return decide(request, UnaryOperator.identity());
   }
 
-  private Decision decide(AccessRequest request, Purpose purpose) {
+  @Override
+  public Decision decide(AccessRequest request, UnaryOperator<Decision> last) {
     ActivePolicy now = active;
     AccessRequest known = recognised(request, now.policy());
     Optional<Behalf> behalf = known.caller().behalf();
     return behalf.isEmpty()
-        ? decide(now, known, purpose)
-        : decideOnBehalf(now, known, behalf.get(), purpose);
+        ? decide(now, known, last)
+        : decideOnBehalf(now, known, behalf.get(), last);
+  }
+
+  private Decision decide(ActivePolicy now, AccessRequest request, UnaryOperator<Decision> last) {
+    Candidate rule = deciding(now, request);
+    Decision decision = rule.decision();
+    if (rule.unmet() != null) {
+      decision = checked(List.of(new Permission(rule, request)), request, decision, last);
+    } else if (decision.isPermitted()) {
+      decision = last.apply(decision);
+    }
+    return observed(now, request, rule.obligations(), decision);
+  }
+
+  /**
+   * Decides about a call on somebody's behalf: the caller must be permitted to make it for that
+   * member, and that member to make it. A stop is the caller's own: what it carries may not prevent
+   * it.
+   */
+  private Decision decideOnBehalf(
+      ActivePolicy now, AccessRequest request, Behalf behalf, UnaryOperator<Decision> last) {
+    if (CalledMethod.of(request.type(), request.method()).kind() == MethodKind.STOP) {
+      return decide(now, request.by(request.caller().alone()), last);
+    }
+    Optional<Member> principal = behalf.principal();
+    if (principal.isEmpty()) {
+      return observed(now, request, Obligations.NONE, Decision.deny(DELEGATION, behalf.fault()));
+    }
+    Candidate bearer = deciding(now, request);
+    if (!bearer.decision().isPermitted()) {
+      return observed(now, request, bearer.obligations(), bearer.decision());
+    }
+    AccessRequest delegated = request.by(delegating(principal.get(), request.caller()));
+    Candidate second = deciding(now, delegated);
+    Obligations both = bearer.obligations().and(second.obligations());
+    if (!second.decision().isPermitted()) {
+      return observed(now, request, both, second.decision());
+    }
+    Decision permitted =
+        Decision.permit(bearer.decision().rule() + BOTH + second.decision().rule());
+    List<Permission> permissions =
+        List.of(new Permission(bearer, request), new Permission(second, delegated));
+    return observed(now, request, both, checked(permissions, request, permitted, last));
+  }
+
+  /** The rule that decides about a call, as far as its conditions are concerned. */
+  private Candidate deciding(ActivePolicy now, AccessRequest known) {
+    for (Candidate each : now.candidates(known)) {
+      PolicyRule rule = each.rule();
+      if (each.isImmediate() || (rule != null && rule.appliesNow(facts))) {
+        return each;
+      }
+    }
+    throw new AssertionError("the last candidate always decides");
   }
 
   @Override
@@ -113,9 +162,29 @@ public final class PolicyGuard implements Guard {
       return policy().version();
     }
 
+    /** Nothing is counted, asked or recorded: rates and confirmations are for the call alone. */
     @Override
     public boolean isStillPermitted(AccessRequest call) {
-      return decide(call, Purpose.REVIEW).isPermitted();
+      ActivePolicy now = active;
+      AccessRequest known = recognised(call, now.policy());
+      Caller caller = known.caller();
+      Optional<Behalf> behalf = caller.behalf();
+      if (behalf.isEmpty()) {
+        return isPermitted(now, known);
+      }
+      if (CalledMethod.of(known.type(), known.method()).kind() == MethodKind.STOP) {
+        return isPermitted(now, known.by(caller.alone()));
+      }
+      return isPermitted(now, known)
+          && behalf
+              .get()
+              .principal()
+              .filter(each -> isPermitted(now, known.by(delegating(each, caller))))
+              .isPresent();
+    }
+
+    private boolean isPermitted(ActivePolicy now, AccessRequest request) {
+      return deciding(now, request).decision().isPermitted();
     }
 
     @Override
@@ -125,45 +194,9 @@ public final class PolicyGuard implements Guard {
     }
   }
 
-  /**
-   * Decides about a call on somebody's behalf: the caller must be permitted to make it for that
-   * member, and that member to make it. A stop is the caller's own: what it carries may not prevent
-   * it.
-   */
-  private Decision decideOnBehalf(
-      ActivePolicy now, AccessRequest request, Behalf behalf, Purpose purpose) {
-    AccessRequest alone = request.by(request.caller().alone());
-    if (CalledMethod.of(request.type(), request.method()).kind() == MethodKind.STOP) {
-      return decide(now, alone, purpose);
-    }
-    Optional<Member> principal = behalf.principal();
-    if (principal.isEmpty()) {
-      Decision unproved = Decision.deny(DELEGATION, behalf.fault());
-      return observed(now, request, Obligations.NONE, unproved, purpose);
-    }
-    Decision bearer = decide(now, request, purpose);
-    if (!bearer.isPermitted()) {
-      return bearer;
-    }
-    Caller delegating = new Caller(Caller.Standing.MEMBER, principal, request.caller().address());
-    Decision delegated = decide(now, request.by(delegating), purpose);
-    return delegated.isPermitted()
-        ? Decision.permit(bearer.rule() + BOTH + delegated.rule())
-        : delegated;
-  }
-
-  private Decision decide(ActivePolicy now, AccessRequest known, Purpose purpose) {
-    for (Candidate each : now.candidates(known)) {
-      if (each.isImmediate()) {
-        return observed(now, known, each.obligations(), each.decision(), purpose);
-      }
-      PolicyRule rule = each.rule();
-      if (rule != null && rule.appliesNow(facts)) {
-        Decision decision = purpose == Purpose.CALL ? checked(rule, each, known) : each.decision();
-        return observed(now, known, each.obligations(), decision, purpose);
-      }
-    }
-    throw new AssertionError("the last candidate always decides");
+  /** A principal, as if it made the call of a bearer. */
+  private static Caller delegating(Member principal, Caller bearer) {
+    return new Caller(Caller.Standing.MEMBER, Optional.of(principal), bearer.address());
   }
 
   @Override
@@ -172,34 +205,72 @@ public final class PolicyGuard implements Guard {
     return now.visibility(recognised(caller.alone(), now.policy())); // it sees for itself
   }
 
-  /** The decision of a rule that applies, after its rate and its confirmation are checked. */
-  private Decision checked(PolicyRule rule, Candidate candidate, AccessRequest request) {
-    ActivePolicy.@Nullable UnmetObligations unmet = candidate.unmet();
-    if (unmet == null) {
-      return candidate.decision();
+  /**
+   * A rule that permits a call.
+   *
+   * @param counted the call, by the caller to whom the rule permits it
+   */
+  private record Permission(Candidate rule, AccessRequest counted) {}
+
+  /**
+   * The decision about a call that rules permit, after their rates and confirmations are checked. A
+   * confirmation is used last: a call that does not run uses none. All that are missing are asked
+   * for at once.
+   *
+   * @param request the call as it is made, which is what an operator confirms
+   */
+  private Decision checked(
+      List<Permission> permissions,
+      AccessRequest request,
+      Decision permitted,
+      UnaryOperator<Decision> last) {
+    @Nullable Decision missing = null;
+    for (Permission each : permissions) {
+      ActivePolicy.@Nullable UnmetObligations unmet = each.rule().unmet();
+      @Nullable PolicyRule rule = asking(each);
+      if (unmet != null && rule != null) {
+        switch (confirmations.ask(request, rule)) {
+          case REFUSED -> {
+            return unmet.refused();
+          }
+          case NONE -> missing = unmet.notConfirmed();
+          case CONFIRMED -> {}
+        }
+      }
     }
-    boolean needsConfirmation = rule.obligations().isConfirmed();
-    Confirmations.Answer answer =
-        needsConfirmation ? confirmations.ask(request, rule) : Confirmations.Answer.CONFIRMED;
-    if (answer != Confirmations.Answer.CONFIRMED) {
-      return answer == Confirmations.Answer.NONE ? unmet.notConfirmed() : unmet.refused();
+    if (missing != null) {
+      return missing;
     }
-    @Nullable CallRateLimiter limiter = candidate.limiter();
-    if (limiter != null && !limiter.tryCall(request)) {
-      return unmet.tooOften(); // which uses no confirmation
+    for (Permission each : permissions) {
+      @Nullable CallRateLimiter limiter = each.rule().limiter();
+      ActivePolicy.@Nullable UnmetObligations unmet = each.rule().unmet();
+      if (unmet != null && limiter != null && !limiter.tryCall(each.counted())) {
+        return unmet.tooOften();
+      }
     }
-    return !needsConfirmation || confirmations.use(request, rule)
-        ? candidate.decision()
-        : unmet.notConfirmed();
+    Decision decision = last.apply(permitted);
+    for (Permission each : permissions) {
+      @Nullable PolicyRule rule = asking(each);
+      ActivePolicy.@Nullable UnmetObligations unmet = each.rule().unmet();
+      if (decision.isPermitted()
+          && unmet != null
+          && rule != null
+          && !confirmations.use(request, rule)) {
+        return unmet.notConfirmed();
+      }
+    }
+    return decision;
+  }
+
+  /** The rule, if it obliges to ask an operator. */
+  private static @Nullable PolicyRule asking(Permission permission) {
+    @Nullable PolicyRule rule = permission.rule().rule();
+    return rule != null && rule.obligations().isConfirmed() ? rule : null;
   }
 
   private Decision observed(
-      ActivePolicy now,
-      AccessRequest request,
-      Obligations obligations,
-      Decision decision,
-      Purpose purpose) {
-    if (purpose == Purpose.CALL && listener != null && listener.concerns(obligations)) {
+      ActivePolicy now, AccessRequest request, Obligations obligations, Decision decision) {
+    if (listener != null && listener.concerns(obligations)) {
       listener.onDecision(
           new DecisionRecord(
               clock.instant(), request, decision, now.policy().version(), obligations));

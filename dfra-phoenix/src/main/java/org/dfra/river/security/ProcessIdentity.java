@@ -11,7 +11,6 @@ import java.security.cert.X509Certificate;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.dfra.core.audit.AuditEvent;
@@ -27,9 +26,6 @@ import org.dfra.core.policy.DecisionLog;
 import org.dfra.core.policy.Policy;
 import org.dfra.core.policy.PolicyFacts;
 import org.dfra.core.policy.PolicyGuard;
-import org.dfra.core.policy.PolicySignatureException;
-import org.dfra.core.policy.PolicyStore;
-import org.dfra.core.policy.method.InterfaceCatalogue;
 import org.dfra.core.policy.method.MethodKind;
 import org.dfra.core.policy.method.MethodKinds;
 import org.dfra.river.identity.FlooredClock;
@@ -93,7 +89,8 @@ final class ProcessIdentity {
   /**
    * The identity of a member.
    *
-   * @param folder with its policy
+   * @param folder with what others have delegated to it
+   * @param read its policy
    * @param mode secure, or closed if others no longer believe the certificate
    * @param believesExpired whether servers with an expired certificate are called
    * @param robot facts and confirmations for its policy; null if it is a person
@@ -103,13 +100,14 @@ final class ProcessIdentity {
   static ProcessIdentity of(
       TeamCredentials credentials,
       Path folder,
+      StoredPolicy read,
       SecurityMode mode,
       boolean believesExpired,
       FlooredClock clock,
       @Nullable RobotState robot)
       throws IOException, GeneralSecurityException {
     String team = credentials.member().team();
-    Optional<Policy> stored = stored(folder, credentials.authority());
+    Optional<Policy> stored = read.get(credentials.authority());
     Policy policy =
         mode == SecurityMode.CLOSED
             ? BuiltInPolicies.closed(team)
@@ -241,24 +239,6 @@ final class ProcessIdentity {
     public Permissions permissions() {
       return isClosed ? Permissions.LASTING : guard.permissions();
     }
-  }
-
-  static Optional<Policy> stored(Path folder, X509Certificate authority) throws IOException {
-    try {
-      return new PolicyStore(folder, authority, InterfaceCatalogue.builtIn()).load();
-    } catch (PolicySignatureException e) {
-      throw new IOException(withFile(folder, e, ": "), e);
-    } catch (IOException e) {
-      throw new IOException(withFile(folder, e, " cannot be read: "), e);
-    }
-  }
-
-  /** Operating systems leave out which file it is, and a check of bytes does not know it. */
-  private static String withFile(Path folder, Exception failure, String between) {
-    String message = Objects.toString(failure.getMessage(), failure.toString());
-    return message.contains(folder.toString())
-        ? message
-        : folder.resolve(PolicyStore.POLICY) + between + message;
   }
 
   /** Records all further decisions and events. */
