@@ -54,4 +54,12 @@ public interface Guard {
   default Visibility visibility(Caller caller) {
     return Visibility.ALL;
   }
+
+  /**
+   * What it says later about what its calls have obtained. A guard whose policy is never replaced
+   * need not implement it; one that asks another guard must pass it on.
+   */
+  default Permissions permissions() {
+    return Permissions.LASTING;
+  }
 }

@@ -16,9 +16,11 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import net.jini.config.ConfigurationProvider;
+import org.dfra.core.audit.AuditKind.SecurityMode;
 import org.dfra.core.config.RobotDescription;
 import org.dfra.core.config.RobotXml;
 import org.dfra.core.host.FreePorts;
+import org.dfra.core.host.PrivateFiles;
 import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.bootstrap.RobotBootstrap;
@@ -27,6 +29,7 @@ import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.phoenix.Phoenix;
 import org.dfra.river.phoenix.host.ClassArchive;
+import org.dfra.river.security.SecureProcess;
 
 /**
  * Brings up a robot of one group whose process writes the archive of robots' processes at its end.
@@ -80,6 +83,7 @@ final class ArchivedProcesses {
     int port = FreePorts.allocate();
     Path state = folder.resolve("state");
     PhoenixProcess address = new PhoenixProcess(HOST, FreePorts.allocate(), -1, state);
+    joinTeam(folder, state);
     RobotDescription robot = describe(folder, port, receiver);
     Phoenix phoenix = Phoenix.start(ConfigurationProvider.getInstance(settings(address, archive)));
     try {
@@ -88,6 +92,26 @@ final class ArchivedProcesses {
       loadClasses(address);
     } finally {
       phoenix.close(); // it waits until the process has ended
+    }
+  }
+
+  /**
+   * Makes this process secure, and thereby the group: a secure process loads the classes of an open
+   * one, and many more. Without a keytool the archive has those of an open process only.
+   */
+  private static void joinTeam(Path folder, Path state) throws IOException, InterruptedException {
+    PrivateFiles.makeFolder(state);
+    Path work = Files.createDirectory(folder.resolve("keys"));
+    Path made = folder.resolve("identity");
+    try {
+      ArchiveIdentity.create(work, made);
+    } catch (IOException e) {
+      return; // the state folder has no identity then, so the robot is open
+    }
+    Path identity = Files.move(made, SecureProcess.folder(state));
+    SecureProcess.Installed own = SecureProcess.install(identity, false);
+    if (own.mode() != SecurityMode.SECURE) {
+      throw new IOException("the robot is " + own.mode() + ": " + own.fault());
     }
   }
 

@@ -5,7 +5,10 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -124,6 +127,35 @@ public final class XmlSchema {
       validate(text, whole, faults);
     }
     return element;
+  }
+
+  /**
+   * Reads a document that was found valid before, without validating it again: to compile the
+   * schema takes longer than all else that a process does with a short document.
+   *
+   * @param whole the file
+   * @throws ConfigurationException if the text is not well-formed or it has another root
+   */
+  public Element readValid(byte[] text, SourceLocation whole, ConfigurationFaults faults) {
+    return XmlDocument.parseRoot(text, whole, this, faults);
+  }
+
+  /**
+   * What only this document and this schema have in common, for a note that the document is valid:
+   * the note no longer fits if either of them changes.
+   *
+   * @return a checksum by SHA-256, in hexadecimal digits
+   */
+  public String checksum(byte[] document) {
+    try {
+      MessageDigest digest = MessageDigest.getInstance("SHA-256");
+      digest.update(digest.digest(text()));
+      return HexFormat.of().formatHex(digest.digest(document));
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException("every JDK has SHA-256", e);
+    } catch (IOException e) {
+      throw damaged(e);
+    }
   }
 
   /**

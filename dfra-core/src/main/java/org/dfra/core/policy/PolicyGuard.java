@@ -3,6 +3,7 @@ package org.dfra.core.policy;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.LongSupplier;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
@@ -15,6 +16,7 @@ import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
 import org.dfra.security.Member;
+import org.dfra.security.Permissions;
 import org.dfra.security.Visibility;
 import org.jspecify.annotations.Nullable;
 
@@ -38,6 +40,8 @@ public final class PolicyGuard implements Guard {
   private final @Nullable DecisionListener listener;
   private final InstantSource clock;
   private final LongSupplier nanos;
+  private final Permissions permissions = new PresentPermissions();
+  private final List<Runnable> replacementListeners = new CopyOnWriteArrayList<>();
   private volatile ActivePolicy active; // written by replace only
 
   /** A guard without facts, confirmations and listener. */
@@ -121,8 +125,7 @@ public final class PolicyGuard implements Guard {
     if (!bearer.decision().isPermitted()) {
       return observed(now, request, bearer.obligations(), bearer.decision());
     }
-    Caller delegating = new Caller(Caller.Standing.MEMBER, principal, request.caller().address());
-    AccessRequest delegated = request.by(delegating);
+    AccessRequest delegated = request.by(delegating(principal.get(), request.caller()));
     Candidate second = deciding(now, delegated);
     Obligations both = bearer.obligations().and(second.obligations());
     if (!second.decision().isPermitted()) {
@@ -144,6 +147,56 @@ public final class PolicyGuard implements Guard {
       }
     }
     throw new AssertionError("the last candidate always decides");
+  }
+
+  @Override
+  public Permissions permissions() {
+    return permissions;
+  }
+
+  /** What the present policy says about calls of earlier ones. */
+  private final class PresentPermissions implements Permissions {
+
+    @Override
+    public long version() {
+      return policy().version();
+    }
+
+    /** Nothing is counted, asked or recorded: rates and confirmations are for the call alone. */
+    @Override
+    public boolean isStillPermitted(AccessRequest call) {
+      ActivePolicy now = active;
+      AccessRequest known = recognised(call, now.policy());
+      Caller caller = known.caller();
+      Optional<Behalf> behalf = caller.behalf();
+      if (behalf.isEmpty()) {
+        return isPermitted(now, known);
+      }
+      if (CalledMethod.of(known.type(), known.method()).kind() == MethodKind.STOP) {
+        return isPermitted(now, known.by(caller.alone()));
+      }
+      return isPermitted(now, known)
+          && behalf
+              .get()
+              .principal()
+              .filter(each -> isPermitted(now, known.by(delegating(each, caller))))
+              .isPresent();
+    }
+
+    private boolean isPermitted(ActivePolicy now, AccessRequest request) {
+      return deciding(now, request).decision().isPermitted();
+    }
+
+    @Override
+    public Runnable onReplacement(Runnable listener) {
+      replacementListeners.add(listener);
+      return () -> replacementListeners.remove(listener);
+    }
+  }
+
+  /** A principal, as if it made the call of a bearer. */
+  private static Caller delegating(Member principal, Caller bearer) {
+    return new Caller(Caller.Standing.MEMBER, Optional.of(principal), bearer.address());
   }
 
   @Override
@@ -254,18 +307,22 @@ public final class PolicyGuard implements Guard {
   }
 
   /**
-   * Replaces the policy: later calls are decided by the new one. Counts of rates begin again.
+   * Replaces the policy: later calls are decided by the new one. Counts of rates begin again. Then
+   * calls the listeners of {@link #permissions}.
    *
    * @param next has a higher version than the present one, and is of the same team
    * @return false, with nothing changed, if it is the present one
    * @throws PolicyReplacementException if it is older, of another team, or a different one of the
    *     same version
    */
-  public synchronized boolean replace(Policy next) {
-    if (!policy().identity().isReplacedBy(next.identity(), next.place().file())) {
-      return false;
+  public boolean replace(Policy next) {
+    synchronized (this) {
+      if (!policy().identity().isReplacedBy(next.identity(), next.place().file())) {
+        return false;
+      }
+      active = new ActivePolicy(next, nanos);
     }
-    active = new ActivePolicy(next, nanos);
+    replacementListeners.forEach(Runnable::run);
     return true;
   }
 }

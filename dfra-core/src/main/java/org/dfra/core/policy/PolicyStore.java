@@ -6,16 +6,20 @@ import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.security.cert.X509Certificate;
+import java.util.Arrays;
 import java.util.Optional;
 import org.dfra.core.config.ConfigurationException;
 import org.dfra.core.host.PrivateFiles;
 import org.dfra.core.policy.method.InterfaceCatalogue;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * A folder with the signed policy of a robot: {@value #POLICY} and {@value #SIGNATURE}. It is
@@ -35,6 +39,11 @@ public final class PolicyStore {
 
   /** Suffix of a file that replaces another one. */
   static final String NEW = ".new";
+
+  /** Name of the note that a policy is valid by its schema. */
+  static final String VALID = "policy.valid";
+
+  private static final Logger LOG = LoggerFactory.getLogger(PolicyStore.class);
 
   private static final String LOCK = "policy.lock";
 
@@ -72,7 +81,7 @@ public final class PolicyStore {
       try (FileChannel file = lockFile();
           FileLock unused = file.lock()) {
         Optional<byte[]> stored = verified();
-        return stored.map(text -> PolicyXml.read(text, path(), catalogue));
+        return stored.map(this::readStored);
       }
     }
   }
@@ -104,6 +113,35 @@ public final class PolicyStore {
       }
     }
     return next;
+  }
+
+  /**
+   * Validates a stored policy by its schema only once: each process of a robot reads it before it
+   * can work. Its signature is checked each time. The folder is private, so nobody else can have
+   * written the note.
+   */
+  private Policy readStored(byte[] text) {
+    String checksum = PolicyXml.checksum(text);
+    Path note = folder.resolve(VALID);
+    boolean isValid = isNoted(note, checksum);
+    Policy policy = PolicyXml.read(text, path(), catalogue, isValid);
+    if (!isValid) {
+      try {
+        PrivateFiles.write(note, checksum.getBytes(StandardCharsets.US_ASCII));
+      } catch (IOException e) {
+        LOG.debug("{} cannot be written, so the next process validates again.", note, e);
+      }
+    }
+    return policy;
+  }
+
+  private static boolean isNoted(Path note, String checksum) {
+    try (InputStream in = Files.newInputStream(note)) {
+      byte[] read = in.readNBytes(checksum.length() + 1);
+      return Arrays.equals(read, checksum.getBytes(StandardCharsets.US_ASCII));
+    } catch (IOException e) { // missing, mostly: validating is always right
+      return false;
+    }
   }
 
   private String path() {

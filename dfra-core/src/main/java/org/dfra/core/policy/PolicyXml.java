@@ -56,6 +56,15 @@ public final class PolicyXml {
    * @throws ConfigurationException with every fault in it, a line each
    */
   public static Policy read(byte[] text, String name, InterfaceCatalogue catalogue) {
+    return read(text, name, catalogue, false);
+  }
+
+  /**
+   * Reads a policy.
+   *
+   * @param isValid whether the schema has been found to permit exactly this text
+   */
+  static Policy read(byte[] text, String name, InterfaceCatalogue catalogue, boolean isValid) {
     SourceLocation whole = new SourceLocation(name, 0);
     if (text.length > MAX_BYTES) {
       throw new ConfigurationException(
@@ -67,7 +76,8 @@ public final class PolicyXml {
               + " are read; combine rules");
     }
     ConfigurationFaults faults = new ConfigurationFaults();
-    Element root = SCHEMA.read(text, whole, faults);
+    Element root =
+        isValid ? SCHEMA.readValid(text, whole, faults) : SCHEMA.read(text, whole, faults);
     Optional<Policy> policy = new PolicyReader(name, catalogue, faults).policy(root, digest(text));
     faults.throwIfAny();
     return policy.orElseThrow();
@@ -86,6 +96,11 @@ public final class PolicyXml {
     faults.throwIfAny();
     return new PolicyIdentity(
         String.valueOf(root.getAttributeValue("team")), version, digest(text));
+  }
+
+  /** What only this text and the schema of this DFRA have in common. */
+  static String checksum(byte[] text) {
+    return SCHEMA.checksum(text);
   }
 
   private static String digest(byte[] text) {

@@ -11,7 +11,6 @@ import java.security.cert.X509Certificate;
 import java.time.Duration;
 import java.time.InstantSource;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.dfra.core.audit.AuditEvent;
@@ -27,9 +26,6 @@ import org.dfra.core.policy.DecisionLog;
 import org.dfra.core.policy.Policy;
 import org.dfra.core.policy.PolicyFacts;
 import org.dfra.core.policy.PolicyGuard;
-import org.dfra.core.policy.PolicySignatureException;
-import org.dfra.core.policy.PolicyStore;
-import org.dfra.core.policy.method.InterfaceCatalogue;
 import org.dfra.core.policy.method.MethodKind;
 import org.dfra.core.policy.method.MethodKinds;
 import org.dfra.river.identity.FlooredClock;
@@ -49,6 +45,7 @@ import org.dfra.security.Decision;
 import org.dfra.security.Guard;
 import org.dfra.security.Member;
 import org.dfra.security.MemberRole;
+import org.dfra.security.Permissions;
 import org.dfra.security.Visibility;
 import org.jspecify.annotations.Nullable;
 
@@ -92,7 +89,8 @@ final class ProcessIdentity {
   /**
    * The identity of a member.
    *
-   * @param folder with its policy
+   * @param folder with what others have delegated to it
+   * @param read its policy
    * @param mode secure, or closed if others no longer believe the certificate
    * @param believesExpired whether servers with an expired certificate are called
    * @param robot facts and confirmations for its policy; null if it is a person
@@ -102,13 +100,14 @@ final class ProcessIdentity {
   static ProcessIdentity of(
       TeamCredentials credentials,
       Path folder,
+      StoredPolicy read,
       SecurityMode mode,
       boolean believesExpired,
       FlooredClock clock,
       @Nullable RobotState robot)
       throws IOException, GeneralSecurityException {
     String team = credentials.member().team();
-    Optional<Policy> stored = stored(folder, credentials.authority());
+    Optional<Policy> stored = read.get(credentials.authority());
     Policy policy =
         mode == SecurityMode.CLOSED
             ? BuiltInPolicies.closed(team)
@@ -129,7 +128,7 @@ final class ProcessIdentity {
             clock,
             System::nanoTime);
     BudgetGuard budgets = budgets(guard, credentials.member());
-    ReplaceableGuard asked = new ReplaceableGuard(budgets);
+    ReplaceableGuard asked = new ReplaceableGuard(budgets, mode == SecurityMode.CLOSED);
     TeamIdentity identity =
         new TeamIdentity(
             new TeamIdentity.Settings(
@@ -177,7 +176,7 @@ final class ProcessIdentity {
     RevokedCertificates revoked = new RevokedCertificates(robot.authority());
     PolicyGuard guard = new PolicyGuard(BuiltInPolicies.closed(member.team()));
     BudgetGuard budgets = budgets(guard, member);
-    ReplaceableGuard asked = new ReplaceableGuard(budgets);
+    ReplaceableGuard asked = new ReplaceableGuard(budgets, true);
     TeamIdentity identity =
         new TeamIdentity(
             new TeamIdentity.Settings(
@@ -207,10 +206,12 @@ final class ProcessIdentity {
   /** The transport has it before the audit trail is there. */
   private static final class ReplaceableGuard implements Guard {
 
+    private final boolean isClosed;
     private volatile Guard guard;
 
-    ReplaceableGuard(Guard guard) {
+    ReplaceableGuard(Guard guard, boolean isClosed) {
       this.guard = guard;
+      this.isClosed = isClosed;
     }
 
     @Override
@@ -232,24 +233,12 @@ final class ProcessIdentity {
     public Visibility visibility(Caller caller) {
       return guard.visibility(caller);
     }
-  }
 
-  static Optional<Policy> stored(Path folder, X509Certificate authority) throws IOException {
-    try {
-      return new PolicyStore(folder, authority, InterfaceCatalogue.builtIn()).load();
-    } catch (PolicySignatureException e) {
-      throw new IOException(withFile(folder, e, ": "), e);
-    } catch (IOException e) {
-      throw new IOException(withFile(folder, e, " cannot be read: "), e);
+    /** A robot that has become closed goes on with what its members had begun. */
+    @Override
+    public Permissions permissions() {
+      return isClosed ? Permissions.LASTING : guard.permissions();
     }
-  }
-
-  /** Operating systems leave out which file it is, and a check of bytes does not know it. */
-  private static String withFile(Path folder, Exception failure, String between) {
-    String message = Objects.toString(failure.getMessage(), failure.toString());
-    return message.contains(folder.toString())
-        ? message
-        : folder.resolve(PolicyStore.POLICY) + between + message;
   }
 
   /** Records all further decisions and events. */

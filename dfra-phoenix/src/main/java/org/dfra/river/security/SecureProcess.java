@@ -130,7 +130,7 @@ public final class SecureProcess {
     String fault;
     @Nullable KnownTime known = null;
     @Nullable RobotState shared = null;
-    try {
+    try (StoredPolicy policy = StoredPolicy.begin(folder)) {
       TeamCredentials credentials = IdentityFolder.load(folder);
       boolean isLasting = System.getProperty(PROPERTY) != null; // no command
       known = KnownTime.of(folder, credentials, InstantSource.system(), isLasting);
@@ -139,7 +139,9 @@ public final class SecureProcess {
       if (mode == SecurityMode.SECURE && credentials.member().role() == MemberRole.ROBOT) {
         shared = new RobotState(state(folder), known.clock(), SecureProcess::lookSoon);
       }
-      made = ProcessIdentity.of(credentials, folder, mode, believesExpired, known.clock(), shared);
+      made =
+          ProcessIdentity.of(
+              credentials, folder, policy, mode, believesExpired, known.clock(), shared);
     } catch (IdentityException | IOException | GeneralSecurityException e) {
       mode = SecurityMode.CLOSED;
       fault = Objects.toString(e.getMessage(), e.toString());
@@ -157,7 +159,9 @@ public final class SecureProcess {
     }
     watch = SecurityWatch.start(folder, made, new SecurityWatch.Parts(known, shared, limits));
     if (mode == SecurityMode.SECURE) {
-      news = new NewsExchange(folder, made.authority(), made.identity(), made::numbers);
+      news =
+          new NewsExchange(
+              folder, made.authority(), made.identity(), made::numbers, SecureProcess::readAgain);
       TrustedCode.trustTeam(
           new TeamCode(made.authority(), made.revoked(), Objects.requireNonNull(known).clock()));
     }
@@ -227,10 +231,13 @@ public final class SecureProcess {
    */
   public static ChannelIdentity other(Path folder)
       throws IdentityException, IOException, GeneralSecurityException {
-    TeamCredentials credentials = IdentityFolder.load(folder);
-    FlooredClock clock = KnownTime.of(folder, credentials, InstantSource.system(), false).clock();
-    return ProcessIdentity.of(credentials, folder, SecurityMode.SECURE, false, clock, null)
-        .identity();
+    try (StoredPolicy policy = StoredPolicy.begin(folder)) {
+      TeamCredentials credentials = IdentityFolder.load(folder);
+      FlooredClock clock = KnownTime.of(folder, credentials, InstantSource.system(), false).clock();
+      return ProcessIdentity.of(
+              credentials, folder, policy, SecurityMode.SECURE, false, clock, null)
+          .identity();
+    }
   }
 
   /**

@@ -189,7 +189,7 @@ final class SecurityWatch implements Runnable {
     }
     policyState = now;
     try {
-      Optional<Policy> next = ProcessIdentity.stored(folder, identity.authority());
+      Optional<Policy> next = StoredPolicy.of(folder, identity.authority());
       if (next.isPresent() && identity.policy().replace(next.get())) {
         LOG.info("{} is in force.", next.get());
         @Nullable ProcessBudgets budgets = parts.budgets();
