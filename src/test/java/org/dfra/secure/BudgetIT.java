@@ -224,7 +224,8 @@ class BudgetIT {
     GPSSensor ottos = gps(otto);
     try (Flood flood = new Flood(ottos, 1)) {
       await().until(() -> flood.refused.get() > 0);
-      ok(team.ask(OTTO, "stop", ROBOT));
+      String phoenix = "--phoenix=" + SecureTeam.HOST + ":" + team.phoenix(ROBOT).port();
+      ok(team.ask(OTTO, "stop", ROBOT, phoenix));
     }
   }
 
@@ -235,22 +236,18 @@ class BudgetIT {
     AtomicLong events = new AtomicLong();
     List<Subscription> held = new ArrayList<>();
     for (int i = 0; i < 3; i++) {
-      held.add(
-          otto.call(
-              () -> {
-                await().until(() -> isFree(ottos));
-                return ottos.subscribe(
-                    event -> events.incrementAndGet(), DeliveryPolicy.keepLast(8));
-              }));
+      held.add(subscribed(ottos, event -> events.incrementAndGet()));
     }
-    assertThatThrownBy(
-            () -> otto.call(() -> ottos.subscribe(event -> {}, DeliveryPolicy.keepLast(8))))
+    assertThatThrownBy(() -> subscribed(ottos, event -> {}))
         .isInstanceOf(NotReadyException.class)
         .hasMessageContaining("observer otto has 3 of at most 3 listeners of budget observers");
     await().until(() -> events.get() > 0);
     String table = ok(team.dfra(ROBOT, "status", "--budget")).out();
     System.out.println(table);
     assertThat(table).contains("observers", "observer otto", "3 of 3", "of 100", "of 40");
+    assertThat(table.replaceAll("\\s+", " "))
+        .as("the stop went to phoenix")
+        .contains("GROUP phoenix BUDGET observers USED BY observer otto");
     String json = ok(team.dfra(ROBOT, "status", "--budget", "--json")).out();
     assertThat(json).contains("\"owner\"", "observer otto", "\"maxCalls\"");
     for (Subscription each : held) {
@@ -314,12 +311,12 @@ class BudgetIT {
     }
   }
 
-  private static boolean isFree(GPSSensor gps) throws Exception {
-    try {
-      Object unused = gps.fix();
-      return true;
-    } catch (AccessRefusedException e) {
-      return false;
-    }
+  /** A call that is refused for its rate is repeated. */
+  private static Subscription subscribed(GPSSensor ottos, ModuleListener listener) {
+    return await()
+        .ignoreExceptionsInstanceOf(AccessRefusedException.class)
+        .until(
+            () -> otto.call(() -> ottos.subscribe(listener, DeliveryPolicy.keepLast(8))),
+            each -> true);
   }
 }

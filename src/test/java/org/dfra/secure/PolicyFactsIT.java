@@ -12,16 +12,26 @@ import java.nio.file.Path;
 import java.rmi.RemoteException;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import net.jini.admin.Administrable;
+import net.jini.core.lookup.ServiceItem;
 import net.jini.core.lookup.ServiceRegistrar;
+import net.jini.core.lookup.ServiceTemplate;
 import org.dfra.app.MarkedProcesses.Outcome;
+import org.dfra.event.DeliveryPolicy;
+import org.dfra.event.Subscription;
 import org.dfra.example.thermometer.Thermometer;
+import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.geometry.GeoPosition;
 import org.dfra.module.LogLevel;
+import org.dfra.module.Module;
+import org.dfra.river.remote.ModuleAdmin;
 import org.dfra.security.AccessRefusedException;
 import org.dfra.sim.device.gps.M12Emulator;
 import org.dfra.sim.device.gps.M12EmulatorSettings;
@@ -46,6 +56,7 @@ class PolicyFactsIT {
   private static final String ROBOT = "atrv1";
   private static final String OTTO = "otto";
   private static final String OSCAR = "oscar";
+  private static final Duration LEASE = Duration.ofSeconds(25); // above SOON
   private static final Duration SOON = Duration.ofSeconds(20);
   private static final Pattern REQUEST = Pattern.compile("\"id\"\\s*:\\s*\"([a-z0-9]+)\"");
 
@@ -236,6 +247,73 @@ class PolicyFactsIT {
 
   @Test
   @Order(3)
+  void aPublishedPolicyEndsWhatItDoesNotPermitInEachProcess() throws Exception {
+    GPSSensor ottosGps = otto.find(team.registrar(ROBOT), GPSSensor.class, "atrv1/gps_front");
+    ServiceItem service = new ServiceItem(null, "a service of oscar", null);
+    ServiceTemplate itself =
+        oscar.call(
+            () ->
+                new ServiceTemplate(
+                    registrar().register(service, LEASE.toMillis()).getServiceID(), null, null));
+    AtomicLong events = new AtomicLong();
+    try (Subscription first =
+            otto.call(
+                () ->
+                    ottosGps.subscribe(
+                        event -> events.incrementAndGet(), DeliveryPolicy.keepLast(8)));
+        Subscription second =
+            otto.call(() -> ottos.subscribe(event -> {}, DeliveryPolicy.keepLast(8)))) {
+      await().atMost(SOON).until(() -> events.get() > 0);
+      List<ModuleAdmin> admins =
+          List.of(admin(GPSSensor.class, "gps_front"), admin(Thermometer.class, "warmth"));
+      List<Integer> before = leases(admins);
+      Files.writeString(
+          team.state(ANNA).resolve("authority").resolve("policy.xml"),
+          POLICY
+              .replace("version=\"2\"", "version=\"3\"")
+              .replaceFirst(
+                  "<permit ",
+                  "<deny name=\"quiet\" member=\"otto\" kind=\"listen\"/>"
+                      + "<deny name=\"unlisted\" member=\"oscar\" kind=\"register\"/><permit "));
+      String published = ok(team.ask(ANNA, "security", "publish")).out();
+      System.out.println(published);
+      assertThat(published).containsPattern("Robot atrv1 has list \\d and policy 3 in force");
+      long begun = System.nanoTime();
+      await()
+          .pollInterval(Duration.ofMillis(20))
+          .atMost(SOON)
+          .until(
+              () ->
+                  leases(admins).equals(before.stream().map(each -> each - 1).toList())
+                      && oscar.call(() -> registrar().lookup(itself)) == null);
+      System.out.printf(
+          "published: all processes have ended it after %.3f s%n",
+          (System.nanoTime() - begun) / 1e9);
+      await().atMost(SOON).until(() -> first.interruptedSince().isPresent());
+      await().atMost(SOON).until(() -> second.interruptedSince().isPresent());
+    }
+    assertThat(logs()).contains("a lease of observer otto of field", "no longer permits");
+  }
+
+  private static ServiceRegistrar registrar() throws Exception {
+    return MemberCalls.registrar(team.registrar(ROBOT));
+  }
+
+  private static <M extends Module> ModuleAdmin admin(Class<M> kind, String name) throws Exception {
+    M module = oscar.find(team.registrar(ROBOT), kind, "atrv1/" + name);
+    return oscar.call(() -> (ModuleAdmin) ((Administrable) module).getAdmin());
+  }
+
+  private static List<Integer> leases(List<ModuleAdmin> admins) throws Exception {
+    List<Integer> counts = new ArrayList<>();
+    for (ModuleAdmin each : admins) {
+      counts.add(oscar.call(() -> each.leases().size()));
+    }
+    return counts;
+  }
+
+  @Test
+  @Order(4)
   void aClockThatIsBehindTheLatestTimeThatIsKnownCountsAsNotSet() throws Exception {
     ok(team.ask(ANNA, "policy", "fact", ROBOT, "load=none"));
     awaitPermission(PolicyFactsIT::lease);
@@ -271,7 +349,7 @@ class PolicyFactsIT {
 
   /** The last: it ends the receiver. */
   @Test
-  @Order(4)
+  @Order(5)
   void thePositionOfAReceiverCountsInEachProcessUntilItIsTooOld() throws Exception {
     ServiceRegistrar registrar = otto.call(() -> MemberCalls.registrar(team.registrar(ROBOT)));
     for (Callable<?> each : List.<Callable<?>>of(ottos::history, registrar::getGroups)) {

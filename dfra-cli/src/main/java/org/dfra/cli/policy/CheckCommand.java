@@ -30,6 +30,11 @@ import picocli.CommandLine.Mixin;
     })
 final class CheckCommand implements Callable<Integer> {
 
+  /** Callers of the summary that should be able to stop a robot. */
+  private static final Set<String> MEMBERS = Set.of("operator", "robot", "observer");
+
+  private static final String PERMITTED = "permit";
+
   @Mixin
   @SuppressWarnings("NullAway.Init") // set by picocli before the call
   private PolicyFile policy;
@@ -67,6 +72,19 @@ final class CheckCommand implements Callable<Integer> {
               + ".");
     }
     answer.table(rows, table, "The policy is about no method.");
+    List<String> stopping =
+        rows.stream()
+            .filter(row -> MEMBERS.contains(row.caller()))
+            .filter(row -> !PERMITTED.equals(row.outcomes().get(MethodKind.STOP.text())))
+            .map(row -> row.caller() + "s")
+            .toList();
+    if (!stopping.isEmpty()) {
+      answer.note(
+          "this policy does not always permit an emergency stop to "
+              + String.join(", ", stopping)
+              + "; unless that is meant, let it begin with <permit name=\"stop\""
+              + " standing=\"member,expired\" kind=\"stop\"/>");
+    }
     return ExitCode.SUCCESS;
   }
 

@@ -183,7 +183,9 @@ final class ExplainCommand implements Callable<Integer> {
       @Nullable ExplanationView principal) {
     @Nullable PolicyRule deciding = found.deciding();
     List<RuleView> conditional = new ArrayList<>();
-    found.conditional().forEach(each -> conditional.add(RuleView.of(each, ifHolds(each))));
+    found
+        .conditional()
+        .forEach(each -> conditional.add(RuleView.of(each, ifHolds(each, method.kind()))));
     List<RuleView> misses = new ArrayList<>();
     found.nearMisses().forEach(each -> misses.add(RuleView.of(each.rule(), each.reason())));
     return new ExplanationView(
@@ -193,15 +195,15 @@ final class ExplainCommand implements Callable<Integer> {
         what,
         method.kind().text(),
         deciding == null ? null : RuleView.of(deciding, ""),
-        deciding == null ? List.of() : deciding.obligations().inWords(),
+        deciding == null ? List.of() : deciding.obligations().of(method.kind()).inWords(),
         conditional,
         misses,
         principal);
   }
 
-  private static String ifHolds(PolicyRule rule) {
+  private static String ifHolds(PolicyRule rule, MethodKind kind) {
     List<String> all = new ArrayList<>(rule.conditions());
-    all.addAll(rule.obligations().inWords());
+    all.addAll(rule.obligations().of(kind).inWords());
     return String.join("; ", all);
   }
 

@@ -18,9 +18,11 @@ import org.dfra.river.identity.IdentityException;
 import org.dfra.river.identity.IdentityFolder;
 import org.dfra.river.identity.SecurityFiles;
 import org.dfra.river.identity.StoredDelegations;
+import org.dfra.river.identity.StoredDelegations.Filed;
 import org.dfra.river.identity.TeamCertificates;
 import org.dfra.river.identity.TeamCredentials;
 import org.dfra.security.Member;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
@@ -60,7 +62,7 @@ final class AcceptCommand implements Callable<Integer> {
     requireUsable(read, own, now);
     Path stored = folder.resolve(StoredDelegations.fileName(read.principal()));
     PrivateFiles.write(stored, read.text().getBytes(StandardCharsets.US_ASCII));
-    deleteExpired(folder, now);
+    deleteExpired(folder, own, now);
     DelegationView view = DelegationView.of(read, now);
     answer.lines(view, List.of(view.line(), "To end it, delete " + stored + "."));
     return ExitCode.SUCCESS;
@@ -102,12 +104,12 @@ final class AcceptCommand implements Callable<Integer> {
     }
   }
 
-  private static void deleteExpired(Path folder, Instant now)
+  private static void deleteExpired(Path folder, TeamCredentials own, Instant now)
       throws IOException, IdentityException {
-    for (Delegation each : StoredDelegations.list(folder)) {
-      if (now.isAfter(each.until())) {
-        boolean unused =
-            Files.deleteIfExists(folder.resolve(StoredDelegations.fileName(each.principal())));
+    for (Filed each : StoredDelegations.list(folder, own)) {
+      @Nullable Delegation delegation = each.delegation();
+      if (delegation != null && now.isAfter(delegation.until())) {
+        boolean unused = Files.deleteIfExists(each.file());
       }
     }
   }

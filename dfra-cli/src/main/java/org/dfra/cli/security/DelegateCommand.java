@@ -51,7 +51,7 @@ final class DelegateCommand implements Callable<Integer> {
   @Parameters(
       index = "0",
       paramLabel = "ROLE",
-      description = "Role of the other member: robot, observer or operator.")
+      description = "Role of the other member: robot or observer.")
   private String role = "";
 
   @Parameters(index = "1", paramLabel = "NAME", description = "Name of the other member.")
@@ -119,6 +119,11 @@ final class DelegateCommand implements Callable<Integer> {
     if (Files.exists(file)) {
       throw new CommandFailure(
           ExitCode.FAILED, file + " exists; delete it, or name another file with --out");
+    }
+    @Nullable Path folder = file.toAbsolutePath().getParent();
+    if (folder == null || !Files.isDirectory(folder)) {
+      throw new CommandFailure(
+          ExitCode.FAILED, "there is no folder " + folder + " for " + file + "; make it first");
     }
     PrivateFiles.write(file, made.text().getBytes(StandardCharsets.US_ASCII));
     answer.lines(

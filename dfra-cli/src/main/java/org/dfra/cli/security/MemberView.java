@@ -11,8 +11,10 @@ import org.dfra.river.identity.CertificateFingerprint;
 import org.dfra.river.identity.CertificateValidity;
 import org.dfra.river.identity.Delegation;
 import org.dfra.river.identity.SignedFiles;
+import org.dfra.river.identity.StoredDelegations.Filed;
 import org.dfra.river.identity.TeamCredentials;
 import org.dfra.security.Member;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A member as commands show it.
@@ -64,10 +66,7 @@ record MemberView(
 
   /** What a computer has joined as. */
   static MemberView of(
-      TeamCredentials credentials,
-      Optional<Policy> policy,
-      List<Delegation> delegations,
-      Instant now) {
+      TeamCredentials credentials, Optional<Policy> policy, List<Filed> delegations, Instant now) {
     return of(
         credentials.member(),
         credentials.certificate(),
@@ -84,7 +83,7 @@ record MemberView(
       X509Certificate authority,
       Optional<X509CRL> revocations,
       Optional<Policy> policy,
-      List<Delegation> delegations,
+      List<Filed> delegations,
       Instant now) {
     CertificateValidity validity = CertificateValidity.of(certificate, authority);
     boolean isRevoked = revocations.map(list -> list.isRevoked(certificate)).orElse(false);
@@ -101,7 +100,14 @@ record MemberView(
         CertificateFingerprint.sha256(authority),
         revocations.flatMap(SignedFiles::number),
         policy.map(Policy::version),
-        delegations.stream().map(each -> DelegationView.of(each, now).line()).toList());
+        delegations.stream().map(each -> line(each, now)).toList());
+  }
+
+  private static String line(Filed filed, Instant now) {
+    @Nullable Delegation delegation = filed.delegation();
+    return delegation == null || !filed.fault().isEmpty()
+        ? "Not used: " + filed.fault() + "; delete it."
+        : DelegationView.of(delegation, now).line();
   }
 
   private static String words(CertificateValidity.Status status) {

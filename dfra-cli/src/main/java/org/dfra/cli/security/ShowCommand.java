@@ -22,6 +22,7 @@ import org.dfra.river.identity.SecurityFiles;
 import org.dfra.river.identity.SignedFiles;
 import org.dfra.river.identity.StoredDelegations;
 import org.dfra.river.identity.TeamCertificates;
+import org.dfra.river.identity.TeamCredentials;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -76,8 +77,8 @@ final class ShowCommand implements Callable<Integer> {
     if (isAuthority) {
       return authority(shown);
     } else if (Files.isDirectory(shown) || file == null) {
-      return MemberView.of(
-          IdentityFolder.load(shown), policy(shown), StoredDelegations.list(shown), Instant.now());
+      TeamCredentials own = IdentityFolder.load(shown);
+      return MemberView.of(own, policy(shown), StoredDelegations.list(shown, own), Instant.now());
     } else if (!Files.exists(shown)) {
       throw new IdentityException(
           "there is no file " + shown + "; name a bundle, a certificate or a folder");

@@ -48,7 +48,8 @@ public final class WhoamiCommand implements Callable<Integer> {
     TeamCredentials credentials = IdentityFolder.load(folder);
     Instant now = Instant.now();
     MemberView view =
-        MemberView.of(credentials, Optional.empty(), StoredDelegations.list(folder), now);
+        MemberView.of(
+            credentials, Optional.empty(), StoredDelegations.list(folder, credentials), now);
     List<String> lines = new ArrayList<>();
     lines.add(
         "The "

@@ -120,6 +120,19 @@ class PolicyCommandTest {
   }
 
   @Test
+  void saysWhoseStopsAPolicyDoesNotPermit() throws IOException {
+    assertThat(run("check")).isEqualTo(ExitCode.SUCCESS);
+    assertThat(err.toString()).isEmpty();
+    Path file =
+        policy(
+            "<permit role=\"operator\"><ask/></permit>",
+            "<permit role=\"robot\"><when from=\"08:00\" until=\"18:00\"/></permit>");
+    assertThat(run("check", file.toString())).isEqualTo(ExitCode.SUCCESS);
+    assertThat(err.toString().replaceAll("\\s+", " "))
+        .contains("does not always permit an emergency stop to robots, observers; unless");
+  }
+
+  @Test
   void readsThePolicyOfTheStateFolderBeforeItsOwn() throws IOException {
     Files.createDirectory(state.resolve("security"));
     Files.copy(policy("<permit role=\"observer\"/>"), state.resolve("security/policy.xml"));

@@ -91,14 +91,14 @@ public class GuardedDispatcher extends FilteredInvocationDispatcher {
   }
 
   /**
-   * {@inheritDoc}
+   * {@inheritDoc} The call that the endpoint's guard permits is {@link PermittedCall#current} then.
    *
    * @throws AccessRefusedException if the endpoint's guard refuses the call
    * @throws org.dfra.module.AdministrationRefusedException if the endpoint authenticates nobody,
    *     and the method is administrative and the client may not administer
    */
   @Override
-  @SuppressWarnings("rawtypes") // as River declares it
+  @SuppressWarnings({"rawtypes", "unchecked"}) // as River declares it
   protected void checkAccess(
       Remote impl, Method method, InvocationConstraints constraints, Collection context) {
     super.checkAccess(impl, method, constraints, context);
@@ -128,7 +128,7 @@ public class GuardedDispatcher extends FilteredInvocationDispatcher {
   }
 
   private static void ask(
-      GuardedEndpoint endpoint, Remote impl, Method method, Collection<?> context) {
+      GuardedEndpoint endpoint, Remote impl, Method method, Collection<Object> context) {
     String object = impl instanceof GuardedObject named ? named.guardedName() : "";
     AccessRequest request =
         new AccessRequest(caller(context), endpoint.robot(), object, impl.getClass(), method);
@@ -153,6 +153,7 @@ public class GuardedDispatcher extends FilteredInvocationDispatcher {
         metered.permitted(request);
       }
     }
+    context.add(request); // what it obtains is judged by it later
   }
 
   /** What a caller sees of what a lookup service lists; everything if nobody is authenticated. */

@@ -51,19 +51,23 @@ public final class CurrentIdentity {
   }
 
   /**
-   * Calls back after each new list of revoked certificates of the current identity. Without an
-   * identity there is none.
+   * Calls back when others may have lost a right towards the current identity: after each new list
+   * of revoked certificates, and after each new policy. Without an identity there is none.
    *
    * @param listener must not wait
    * @return ends it
    */
-  public static Runnable onRevocation(Runnable listener) {
+  public static Runnable onLostRights(Runnable listener) {
     @Nullable ChannelIdentity identity = get();
     if (identity == null) {
       return () -> {};
     }
     identity.addRevocationListener(listener);
-    return () -> identity.removeRevocationListener(listener);
+    Runnable notReplaced = identity.guard().permissions().onReplacement(listener);
+    return () -> {
+      identity.removeRevocationListener(listener);
+      notReplaced.run();
+    };
   }
 
   /**

@@ -112,6 +112,12 @@ public record Delegation(
     Instant from = issued.truncatedTo(ChronoUnit.SECONDS);
     Instant to = until.truncatedTo(ChronoUnit.SECONDS);
     try {
+      new Delegation(principal, bearer, fingerprint, robots, from, to, certificate, "")
+          .requireForm();
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException("this cannot be delegated: " + e.getMessage(), e);
+    }
+    try {
       String signed =
           String.join(
               "\n",
@@ -163,7 +169,7 @@ public record Delegation(
       Instant until = Instant.parse(lines.value("until"));
       X509Certificate certificate = certificate(lines.value("certificate"));
       int signedLength = lines.position();
-      byte[] signature = Base64.getDecoder().decode(lines.value("signature"));
+      byte[] signature = decoded(lines.value("signature"));
       lines.requireEnd();
       Delegation read =
           new Delegation(principal, bearer, fingerprint, robots, issued, until, certificate, text);
@@ -188,6 +194,10 @@ public record Delegation(
     }
     if (principal.role() != MemberRole.OPERATOR) {
       throw new IllegalArgumentException("only operators delegate, and it is from " + principal);
+    }
+    if (bearer.role() == MemberRole.OPERATOR) {
+      throw new IllegalArgumentException(
+          "it is to " + bearer + ", and operators command for themselves");
     }
     if (!bearer.team().equals(principal.team())) {
       throw new IllegalArgumentException("it is from " + principal + " to " + bearer);
@@ -217,10 +227,18 @@ public record Delegation(
   }
 
   private static X509Certificate certificate(String base64) throws GeneralSecurityException {
-    byte[] bytes = Base64.getDecoder().decode(base64);
     return (X509Certificate)
         CertificateFactory.getInstance("X.509")
-            .generateCertificate(new ByteArrayInputStream(bytes));
+            .generateCertificate(new ByteArrayInputStream(decoded(base64)));
+  }
+
+  /** Bytes in Base64 in the one way in which {@link #sign} writes them. */
+  private static byte[] decoded(String base64) {
+    byte[] bytes = Base64.getDecoder().decode(base64);
+    if (!Base64.getEncoder().encodeToString(bytes).equals(base64)) { // bits that nothing needs
+      throw new IllegalArgumentException("the end of a text in Base64 was changed");
+    }
+    return bytes;
   }
 
   /** The fingerprint of a certificate as delegations write it. */

@@ -33,6 +33,8 @@ final class DelegationVerifier {
 
   /**
    * @param own who is called
+   * @param clock of the one who is called; while a {@link FlooredClock} is not set, no delegation
+   *     counts, since its time stands still
    */
   DelegationVerifier(Member own, MemberTrust trust, InstantSource clock) {
     this.own = own;
@@ -65,7 +67,8 @@ final class DelegationVerifier {
   }
 
   /**
-   * Why it does not count for a call now, in a sentence.
+   * Why it does not count for a call now, in a sentence, which is the same for each call: the audit
+   * trail sums equal refusals.
    *
    * @param bearer who calls
    * @param certificate of the connection
@@ -98,6 +101,14 @@ final class DelegationVerifier {
               + own
               + REMEDY);
     }
+    if (clock instanceof FlooredClock known && !known.isSet()) {
+      return Optional.of(
+          "it is not known whether the "
+              + delegation
+              + " still lasts, since the clock of "
+              + own
+              + " was not set; set it");
+    }
     Instant now = clock.instant();
     if (now.isAfter(delegation.until())) {
       return Optional.of("the " + delegation + " has expired at " + delegation.until() + REMEDY);
@@ -107,9 +118,9 @@ final class DelegationVerifier {
               + delegation
               + " was signed at "
               + delegation.issued()
-              + ", and it is "
-              + now
-              + " here; set the clocks");
+              + ", which is later than it is by the clock of "
+              + own
+              + "; set the clocks");
     }
     Standing standing = trust.standing(delegation.certificate());
     return switch (standing) {

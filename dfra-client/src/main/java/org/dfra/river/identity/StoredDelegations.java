@@ -62,16 +62,38 @@ public final class StoredDelegations implements OutgoingCredentials {
   }
 
   /**
-   * Reads the delegations in a folder, in the order of their files' names.
+   * A file in the folder of an identity.
    *
-   * @throws IdentityException if one cannot be read
+   * @param delegation what it contains; null if that is no delegation
+   * @param fault why it is of no use to the member there, in a sentence; empty if it is of use
+   *     until it expires
    */
-  public static List<Delegation> list(Path folder) throws IdentityException {
-    List<Delegation> read = new ArrayList<>();
-    for (Path each : files(folder)) {
-      read.add(Delegation.parse(SecurityFiles.read(each), each.toString()));
+  public record Filed(Path file, @Nullable Delegation delegation, String fault) {
+
+    private static Filed read(Path file, String fingerprint) {
+      try {
+        Delegation read = Delegation.parse(SecurityFiles.read(file), file.toString());
+        String fault =
+            read.fingerprint().equals(fingerprint)
+                ? ""
+                : file + " is for a certificate of " + read.bearer() + " that is not the one here";
+        return new Filed(file, read, fault);
+      } catch (IdentityException e) {
+        return new Filed(file, null, String.valueOf(e.getMessage()));
+      }
     }
-    return read;
+  }
+
+  /**
+   * The delegations in a folder, in the order of their files' names.
+   *
+   * @param credentials of the identity in the folder
+   * @throws IdentityException if the folder cannot be listed
+   */
+  public static List<Filed> list(Path folder, TeamCredentials credentials)
+      throws IdentityException {
+    String fingerprint = Delegation.fingerprint(credentials.certificate());
+    return files(folder).stream().map(each -> Filed.read(each, fingerprint)).toList();
   }
 
   private static List<Path> files(Path folder) throws IdentityException {
@@ -113,15 +135,12 @@ public final class StoredDelegations implements OutgoingCredentials {
   private List<Stored> read(List<Path> files) {
     List<Stored> read = new ArrayList<>();
     for (Path each : files) {
-      try {
-        Delegation delegation = Delegation.parse(SecurityFiles.read(each), each.toString());
-        if (delegation.fingerprint().equals(fingerprint)) {
-          read.add(new Stored(delegation, delegation.bytes()));
-        } else {
-          LOG.log(Level.WARNING, "{0} is for another certificate than this process has.", each);
-        }
-      } catch (IdentityException e) {
-        LOG.log(Level.WARNING, e.getMessage());
+      Filed filed = Filed.read(each, fingerprint);
+      @Nullable Delegation delegation = filed.delegation();
+      if (delegation != null && filed.fault().isEmpty()) {
+        read.add(new Stored(delegation, delegation.bytes()));
+      } else {
+        LOG.log(Level.WARNING, filed.fault());
       }
     }
     return List.copyOf(read);

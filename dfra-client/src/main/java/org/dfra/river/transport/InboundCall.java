@@ -40,7 +40,8 @@ final class InboundCall
   private final MessageInput request;
   private InputStream toRead;
   private final MessageOutput response;
-  private boolean isAnswered;
+  private @Nullable ByteBuffer end; // the response's last block, once the response is complete
+  private boolean isEndCounted;
 
   InboundCall(ServerConnection connection, ByteBuffer input, ByteBuffer output) {
     this.connection = connection;
@@ -72,7 +73,8 @@ final class InboundCall
 
   @Override
   public long takeBytes() {
-    return connection.takeBytes();
+    isEndCounted = end != null;
+    return connection.takeBytes() + (end == null ? 0 : end.remaining());
   }
 
   @Override
@@ -97,17 +99,27 @@ final class InboundCall
 
   @Override
   public void send(ByteBuffer block, boolean isEnd) throws IOException {
-    connection.send(block);
-    isAnswered = isEnd;
+    if (isEnd) {
+      end = block;
+    } else {
+      connection.send(block);
+    }
   }
 
   /** The rest of the request is skipped after the response. */
   @Override
   public void closed() {}
 
+  /**
+   * {@inheritDoc} River aborts calls of an object that is unexported by force, and interrupts their
+   * threads, also when the call has ended and River's dispatcher has not. Then the response counts:
+   * other calls use the connection.
+   */
   @Override
   public void abort() {
-    connection.close();
+    if (end == null) {
+      connection.close();
+    }
   }
 
   /** Whether it is a call to the object for garbage collection; the request is not read yet. */
@@ -132,9 +144,21 @@ final class InboundCall
     response.close();
   }
 
-  /** Whether the whole response was sent. */
-  boolean isAnswered() {
-    return isAnswered;
+  /**
+   * Sends the rest of the response. To be called when the dispatcher has returned: nobody
+   * interrupts the thread any more, which would close the connection.
+   *
+   * @return false if there is no response: the dispatcher has aborted the call
+   */
+  boolean answer() throws IOException {
+    if (end == null) {
+      return false;
+    }
+    connection.send(end);
+    if (isEndCounted) {
+      long unused = connection.takeBytes(); // not with the next call
+    }
+    return true;
   }
 
   /**

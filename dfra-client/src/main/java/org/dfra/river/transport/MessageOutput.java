@@ -21,7 +21,8 @@ final class MessageOutput extends OutputStream {
     /**
      * Sends.
      *
-     * @param isEnd whether it is the message's last block
+     * @param isEnd whether it is the message's last block: then nobody writes into the buffer any
+     *     more, and it may be sent later
      */
     void send(ByteBuffer block, boolean isEnd) throws IOException;
   }
@@ -73,8 +74,11 @@ final class MessageOutput extends OutputStream {
   private void send(Block.Kind kind) throws IOException {
     block.putInt(0, Block.encode(kind, block.position() - Block.HEADER_BYTES));
     block.flip();
-    sender.send(block, kind == Block.Kind.END);
-    begin();
+    boolean isEnd = kind == Block.Kind.END;
+    sender.send(block, isEnd);
+    if (!isEnd) {
+      begin();
+    }
   }
 
   /** Whether the whole message was sent. */

@@ -323,14 +323,14 @@ final class ServerConnection implements Runnable {
     InboundCall call = new InboundCall(this, buffer, output);
     if (call.isForCollector()) {
       call.refuseCollector();
-      return call.skipRest(MAX_SKIPPED);
+      return call.answer() && call.skipRest(MAX_SKIPPED);
     }
     enter(State.EXECUTING);
     TransportTraffic.countCallServed();
     CurrentIdentity.runAs(port.identity(), () -> port.dispatcher().dispatch(call));
     boolean unused = Thread.interrupted(); // an object may leave it set; it would close the channel
-    if (!call.isAnswered()) {
-      return false; // the dispatcher has aborted it
+    if (!call.answer()) {
+      return false;
     }
     requestBegan = System.nanoTime(); // it may have executed for long
     enter(State.RECEIVING);

@@ -17,6 +17,7 @@ import java.rmi.server.ServerNotActiveException;
 import java.time.Clock;
 import java.time.Duration;
 import java.time.Instant;
+import java.time.InstantSource;
 import java.time.ZoneOffset;
 import java.util.List;
 import java.util.Objects;
@@ -40,6 +41,7 @@ import org.dfra.river.identity.ChannelIdentity;
 import org.dfra.river.identity.ChannelPeer;
 import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.identity.Delegation;
+import org.dfra.river.identity.FlooredClock;
 import org.dfra.river.identity.TeamIdentity;
 import org.dfra.security.AccessRequest;
 import org.dfra.security.Behalf;
@@ -90,6 +92,7 @@ class DelegatedCallsTest {
   private final List<AccessRequest> requests = new CopyOnWriteArrayList<>();
   private final AtomicReference<@Nullable ChannelPeer> peer = new AtomicReference<>();
   private final Uuid id = UuidFactory.generate();
+  private final WheelsImpl impl = new WheelsImpl(); // an exporter refers to it weakly
   private BasicJeriExporter exporter;
   private int port;
 
@@ -124,12 +127,16 @@ class DelegatedCallsTest {
 
   @BeforeEach
   void export() throws Exception {
+    export(clock);
+  }
+
+  private void export(InstantSource time) throws Exception {
     Guard guard = this::decide;
-    TeamIdentity robot = team.guardedWithClock(MemberRole.ROBOT, "atrv2", guard, clock);
+    TeamIdentity robot = team.guardedWithClock(MemberRole.ROBOT, "atrv2", guard, time);
     exporter =
         new BasicJeriExporter(
             RecordingServer.endpoint(robot), new DeadlineILFactory(), false, true, id);
-    port = Objects.requireNonNull(PeerAddress.of(exporter.export(new WheelsImpl()))).port();
+    port = Objects.requireNonNull(PeerAddress.of(exporter.export(impl))).port();
   }
 
   @AfterEach
@@ -214,7 +221,38 @@ class DelegatedCallsTest {
     assertThat(fault(caller(bearer, usual))).contains("has expired");
     assertThat(granted.isRevoked()).as("a lease that it acquired").isTrue();
     now.set(Instant.now().minus(Duration.ofHours(1)));
-    assertThat(fault(caller(bearer, usual))).contains("set the clocks");
+    Caller early = caller(bearer, usual);
+    assertThat(fault(early)).contains("set the clocks");
+    now.set(now.get().plusNanos(1));
+    assertThat(caller(bearer, usual)).as("the audit trail sums equal ones").isEqualTo(early);
+  }
+
+  /** Its own time would stand still, and the delegation would last for as long as it does. */
+  @Test
+  void itDoesNotCountForARobotWhoseClockWasNotSet() throws Exception {
+    exporter.unexport(true);
+    FlooredClock unset = new FlooredClock(clock, Instant.now(), Instant.MAX);
+    export(unset);
+    byte[] usual = usual().bytes();
+    assertThat(fault(caller(bearer, usual))).isEmpty();
+    ChannelPeer granted = Objects.requireNonNull(peer.get());
+    now.set(Instant.EPOCH);
+    assertThat(fault(caller(bearer, usual))).contains("clock of robot atrv2 of field was not set");
+    assertThat(granted.isRevoked()).as("a lease that it acquired").isTrue();
+  }
+
+  @Test
+  void anOperatorCannotLoseItsOwnRightByOne() {
+    assertThatThrownBy(
+            () ->
+                delegation(
+                    new Member("field", MemberRole.OPERATOR, "ben"),
+                    atrv1,
+                    List.of("atrv2"),
+                    Duration.ofHours(1)))
+        .hasMessage(
+            "this cannot be delegated: it is to operator ben of field, and operators command for"
+                + " themselves");
   }
 
   @Test
@@ -349,7 +387,7 @@ class DelegatedCallsTest {
             false,
             true,
             plainId);
-    int plainPort = Objects.requireNonNull(PeerAddress.of(plain.export(new WheelsImpl()))).port();
+    int plainPort = Objects.requireNonNull(PeerAddress.of(plain.export(impl))).port();
     try {
       Wheels wheels =
           CurrentIdentity.callAs(

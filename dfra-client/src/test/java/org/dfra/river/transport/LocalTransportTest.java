@@ -45,6 +45,11 @@ class LocalTransportTest extends TransportContract {
   }
 
   @Test
+  void aCallIsAnsweredThoughItIsAbortedAfterItsEnd() throws IOException {
+    assertAnsweredThoughInterruptedAndAborted();
+  }
+
+  @Test
   void onlyTheUserMayOpenTheSocket() throws IOException {
     Path file = Path.of(socket.path());
     assertThat(Files.getPosixFilePermissions(file))

@@ -22,6 +22,11 @@ class TcpTransportTest extends TransportContract {
   }
 
   @Test
+  void aCallIsAnsweredThoughItIsAbortedAfterItsEnd() throws IOException {
+    assertAnsweredThoughInterruptedAndAborted();
+  }
+
+  @Test
   void anAddressOfAnotherComputerAndATakenPortAreNamed() throws IOException {
     assertThatThrownBy(() -> listen("192.0.2.1", 0))
         .isInstanceOf(BindException.class)

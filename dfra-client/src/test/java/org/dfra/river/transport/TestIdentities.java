@@ -48,7 +48,7 @@ final class TestIdentities {
   }
 
   /** An identity with a guard and a clock of its own. */
-  TeamIdentity guardedWithClock(MemberRole role, String name, Guard guard, Clock clock) {
+  TeamIdentity guardedWithClock(MemberRole role, String name, Guard guard, InstantSource clock) {
     Issued issued = authority.issue(new Member("field", role, name));
     return identity(role, name, issued, guard, clock);
   }

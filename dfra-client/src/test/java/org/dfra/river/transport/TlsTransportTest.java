@@ -1,5 +1,6 @@
 package org.dfra.river.transport;
 
+import java.io.IOException;
 import net.jini.core.constraint.Confidentiality;
 import net.jini.core.constraint.Integrity;
 import net.jini.core.constraint.InvocationConstraint;
@@ -7,6 +8,7 @@ import net.jini.jeri.ServerEndpoint;
 import org.dfra.river.fixture.TestTeam;
 import org.dfra.river.identity.ChannelIdentity;
 import org.dfra.security.MemberRole;
+import org.junit.jupiter.api.Test;
 
 /** Client and server are two robots of a team. */
 class TlsTransportTest extends TransportContract {
@@ -32,5 +34,10 @@ class TlsTransportTest extends TransportContract {
   @Override
   Integrity integrity() {
     return Integrity.YES;
+  }
+
+  @Test
+  void aCallIsAnsweredThoughItIsAbortedAfterItsEnd() throws IOException {
+    assertAnsweredThoughInterruptedAndAborted();
   }
 }

@@ -264,6 +264,28 @@ abstract class TransportContract {
     goOn.countDown();
   }
 
+  /**
+   * As River does with the calls of an object that is unexported by force in the moment in which
+   * they end. Other calls use the connection.
+   */
+  void assertAnsweredThoughInterruptedAndAborted() throws IOException {
+    dispatcher =
+        request -> {
+          Thread.currentThread().interrupt();
+          echo(request);
+          Thread.currentThread().interrupt();
+          request.abort();
+        };
+    for (int i = 0; i < 3; i++) {
+      OutboundRequest request = send(new byte[] {1, 2, 3});
+      try (InputStream in = request.getResponseInputStream()) {
+        assertThat(in.readAllBytes()).as("call " + i).containsExactly(1, 2, 3);
+      }
+    }
+    dispatcher = this::echo;
+    assertThat(call(new byte[] {4})).as("of another object").containsExactly(4);
+  }
+
   @Test
   void aServerThatAbortsEndsTheCall() {
     dispatcher = InboundRequest::abort;

@@ -110,13 +110,22 @@ final class AuditIntake {
     }
   }
 
-  /** So that a flood of strangers leaves the members' events their records. */
+  /**
+   * So that a flood of strangers leaves the members' events their records. A member that carries a
+   * credential that proves nothing chooses what the refusal says, so it counts as they do.
+   */
   private boolean isWithinRate(AuditEvent event) {
     Optional<Standing> standing = event.caller().map(Caller::standing);
     boolean isStranger =
         standing.isPresent()
             && (standing.get() == Standing.STRANGER || standing.get() == Standing.EXPIRED);
-    return isStranger
+    boolean isUnproved =
+        event
+            .caller()
+            .flatMap(Caller::behalf)
+            .map(each -> each.principal().isEmpty())
+            .orElse(false);
+    return isStranger || isUnproved
         ? strangersRate.incrementAndGet() <= settings.strangersRatePerInterval()
         : rate.incrementAndGet() <= settings.ratePerInterval();
   }

@@ -9,6 +9,7 @@ import org.dfra.security.CallUse;
 import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
+import org.dfra.security.Permissions;
 import org.dfra.security.Visibility;
 
 /**
@@ -76,5 +77,10 @@ public final class AuditedGuard implements Guard {
   @Override
   public Visibility visibility(Caller caller) {
     return guard.visibility(caller);
+  }
+
+  @Override
+  public Permissions permissions() {
+    return guard.permissions();
   }
 }

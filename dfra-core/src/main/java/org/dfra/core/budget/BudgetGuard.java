@@ -19,6 +19,7 @@ import org.dfra.security.CallUse;
 import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
+import org.dfra.security.Permissions;
 import org.dfra.security.Visibility;
 
 /**
@@ -111,12 +112,16 @@ public final class BudgetGuard implements Guard {
   }
 
   @Override
+  public Permissions permissions() {
+    return guard.permissions();
+  }
+
+  @Override
   public Decision decide(AccessRequest request) {
-    Decision decision = guard.decide(request);
     BudgetAccounts now = inForce();
-    return !decision.isPermitted() || now.measurement() == Measurement.NONE
-        ? decision
-        : admitted(decision, request, now);
+    return now.measurement() == Measurement.NONE
+        ? guard.decide(request)
+        : guard.decide(request, permitted -> admitted(permitted, request, now));
   }
 
   private Decision admitted(Decision decision, AccessRequest request, BudgetAccounts now) {

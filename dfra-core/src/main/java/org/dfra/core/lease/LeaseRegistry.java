@@ -237,6 +237,10 @@ public final class LeaseRegistry implements AutoCloseable {
    * @return false if it no longer exists
    */
   public boolean revoke(UUID id) {
+    return end(id, true);
+  }
+
+  private boolean end(UUID id, boolean isRemembered) {
     LeaseEntry entry;
     synchronized (entries) {
       entry = entries.remove(id);
@@ -245,7 +249,9 @@ public final class LeaseRegistry implements AutoCloseable {
       }
       if (entry.expiry != null) {
         entry.expiry.cancel();
-        remember(id);
+        if (isRemembered) {
+          remember(id);
+        }
       }
     }
     publishAndRun(entry.holder, entry.onEnd);
@@ -257,6 +263,18 @@ public final class LeaseRegistry implements AutoCloseable {
    * block.
    */
   public void revokeInBackground(UUID id) {
+    endInBackground(id, true);
+  }
+
+  /**
+   * Lets a lease expire now, on the executor of its holder's role. Unlike after a revocation, its
+   * holder may ask for another one.
+   */
+  public void expireInBackground(UUID id) {
+    endInBackground(id, false);
+  }
+
+  private void endInBackground(UUID id, boolean isRemembered) {
     LeaseRole holder;
     synchronized (entries) {
       LeaseEntry entry = entries.get(id);
@@ -269,7 +287,7 @@ public final class LeaseRegistry implements AutoCloseable {
         .apply(holder)
         .execute(
             () -> {
-              boolean unused = revoke(id);
+              boolean unused = end(id, isRemembered);
             });
   }
 

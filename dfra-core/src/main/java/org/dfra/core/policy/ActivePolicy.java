@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.LongSupplier;
 import org.dfra.core.policy.method.CalledMethod;
+import org.dfra.core.policy.method.MethodKind;
 import org.dfra.security.AccessRequest;
 import org.dfra.security.Behalf;
 import org.dfra.security.Caller;
@@ -175,7 +176,7 @@ final class ActivePolicy {
     CalledMethod method = CalledMethod.of(request.type(), request.method());
     for (PolicyRule each : policy.rules()) {
       if (each.mismatches(request.caller(), method, request.robot(), request.object()).isEmpty()) {
-        candidates.add(candidate(each, request));
+        candidates.add(candidate(each, request, method.kind()));
         if (!each.isConditional()) {
           return candidates.toArray(Candidate[]::new);
         }
@@ -186,12 +187,13 @@ final class ActivePolicy {
     return candidates.toArray(Candidate[]::new);
   }
 
-  private Candidate candidate(PolicyRule rule, AccessRequest request) {
+  private Candidate candidate(PolicyRule rule, AccessRequest request, MethodKind kind) {
     Decision decision =
         rule.effect() == PolicyRule.Effect.PERMIT
             ? Decision.permit(rule.name())
             : Decision.deny(rule.name(), RefusalReason.ofDenial(policy, rule, request));
-    boolean isChecked = rule.obligations().isChecked();
+    Obligations obligations = rule.obligations().of(kind);
+    boolean isChecked = obligations.isChecked();
     @Nullable UnmetObligations unmet =
         isChecked
             ? new UnmetObligations(
@@ -205,8 +207,8 @@ final class ActivePolicy {
         rule,
         decision,
         unmet,
-        rule.obligations(),
-        limiters.get(rule),
+        obligations,
+        isChecked ? limiters.get(rule) : null,
         !rule.isConditional() && !isChecked);
   }
 }

@@ -9,11 +9,12 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import java.util.random.RandomGenerator;
 import org.dfra.security.AccessRequest;
+import org.dfra.security.Behalf;
 import org.jspecify.annotations.Nullable;
 
 /**
  * The calls that wait for an operator's confirmation. A confirmation is for one call of the same
- * caller, method, object and rule. Thread-safe.
+ * caller, on the same behalf, of the same method, object and rule. Thread-safe.
  *
  * <p>The memory is bounded: at most {@value #MAX_REQUESTS} requests are kept, and {@value
  * #MAX_OF_CALLER} of one caller. Requests that nobody answers are dropped after {@value
@@ -45,11 +46,12 @@ public final class ConfirmationRequests implements Confirmations {
 
   /** The calls that one confirmation is about. */
   private record CallKey(
-      String principal, String rule, String robot, String object, String method) {
+      String caller, String behalf, String rule, String robot, String object, String method) {
 
     static CallKey of(AccessRequest request, PolicyRule rule) {
       return new CallKey(
           CallRateLimiter.principal(request),
+          request.caller().behalf().map(Behalf::toString).orElse(""),
           rule.name(),
           request.robot(),
           request.object(),
@@ -107,7 +109,7 @@ public final class ConfirmationRequests implements Confirmations {
       return known.answer;
     }
     long ofCaller =
-        entries.keySet().stream().filter(each -> each.principal().equals(key.principal())).count();
+        entries.keySet().stream().filter(each -> each.caller().equals(key.caller())).count();
     if (entries.size() < MAX_REQUESTS && ofCaller < MAX_OF_CALLER) {
       entries.put(
           key,

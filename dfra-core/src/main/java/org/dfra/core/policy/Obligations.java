@@ -3,6 +3,7 @@ package org.dfra.core.policy;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import org.dfra.core.policy.method.MethodKind;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -57,6 +58,24 @@ public record Obligations(
       long millis = time.toMillis();
       return millis % 1000 == 0 ? millis / 1000 + " s" : millis + " ms";
     }
+  }
+
+  /** Those for a method of a kind: a stop waits for nobody and is never one too many. */
+  public Obligations of(MethodKind kind) {
+    return kind == MethodKind.STOP && isChecked()
+        ? new Obligations(null, isLogged, isNotified, false)
+        : this;
+  }
+
+  /** What this and another rule together oblige to report; each checks its own rate. */
+  Obligations and(Obligations other) {
+    return this == NONE
+        ? other
+        : new Obligations(
+            null,
+            isLogged || other.isLogged,
+            isNotified || other.isNotified,
+            isConfirmed || other.isConfirmed);
   }
 
   /** Whether a call must be counted or confirmed before it may run. */

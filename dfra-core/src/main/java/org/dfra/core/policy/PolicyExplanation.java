@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dfra.core.policy.PolicyRule.Effect;
 import org.dfra.core.policy.method.CalledMethod;
+import org.dfra.core.policy.method.MethodKind;
 import org.dfra.security.Caller;
 import org.jspecify.annotations.Nullable;
 
@@ -57,7 +58,8 @@ public record PolicyExplanation(
     for (PolicyRule each : policy.rules()) {
       if (each.mismatches(caller, method, robot, object).isEmpty()) {
         if (!each.isConditional()) {
-          return new PolicyExplanation(outcome(each, conditional), each, conditional, misses);
+          return new PolicyExplanation(
+              outcome(each, conditional, method.kind()), each, conditional, misses);
         }
         conditional.add(each);
       } else {
@@ -67,15 +69,17 @@ public record PolicyExplanation(
         }
       }
     }
-    return new PolicyExplanation(outcome(null, conditional), null, conditional, misses);
+    return new PolicyExplanation(
+        outcome(null, conditional, method.kind()), null, conditional, misses);
   }
 
-  private static Outcome outcome(@Nullable PolicyRule deciding, List<PolicyRule> conditional) {
+  private static Outcome outcome(
+      @Nullable PolicyRule deciding, List<PolicyRule> conditional, MethodKind kind) {
     Effect effect = deciding == null ? Effect.DENY : deciding.effect();
-    boolean isChecked = deciding != null && deciding.obligations().isChecked();
+    boolean isChecked = deciding != null && deciding.obligations().of(kind).isChecked();
     boolean isAlwaysSame =
         conditional.stream()
-            .allMatch(each -> each.effect() == effect && !each.obligations().isChecked());
+            .allMatch(each -> each.effect() == effect && !each.obligations().of(kind).isChecked());
     if (isChecked || !isAlwaysSame) {
       return Outcome.DEPENDS;
     }

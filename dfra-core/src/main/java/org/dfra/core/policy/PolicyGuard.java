@@ -3,7 +3,9 @@ package org.dfra.core.policy;
 import java.time.InstantSource;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.LongSupplier;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.dfra.core.policy.ActivePolicy.Candidate;
 import org.dfra.core.policy.method.CalledMethod;
@@ -14,6 +16,7 @@ import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.dfra.security.Guard;
 import org.dfra.security.Member;
+import org.dfra.security.Permissions;
 import org.dfra.security.Visibility;
 import org.jspecify.annotations.Nullable;
 
@@ -37,6 +40,8 @@ public final class PolicyGuard implements Guard {
   private final @Nullable DecisionListener listener;
   private final InstantSource clock;
   private final LongSupplier nanos;
+  private final Permissions permissions = new PresentPermissions();
+  private final List<Runnable> replacementListeners = new CopyOnWriteArrayList<>();
   private volatile ActivePolicy active; // written by replace only
 
   /** A guard without facts, confirmations and listener. */
@@ -78,10 +83,28 @@ public final class PolicyGuard implements Guard {
 
   @Override
   public Decision decide(AccessRequest request) {
+    return decide(request, UnaryOperator.identity());
+  }
+
+  @Override
+  public Decision decide(AccessRequest request, UnaryOperator<Decision> last) {
     ActivePolicy now = active;
     AccessRequest known = recognised(request, now.policy());
     Optional<Behalf> behalf = known.caller().behalf();
-    return behalf.isEmpty() ? decide(now, known) : decideOnBehalf(now, known, behalf.get());
+    return behalf.isEmpty()
+        ? decide(now, known, last)
+        : decideOnBehalf(now, known, behalf.get(), last);
+  }
+
+  private Decision decide(ActivePolicy now, AccessRequest request, UnaryOperator<Decision> last) {
+    Candidate rule = deciding(now, request);
+    Decision decision = rule.decision();
+    if (rule.unmet() != null) {
+      decision = checked(List.of(new Permission(rule, request)), request, decision, last);
+    } else if (decision.isPermitted()) {
+      decision = last.apply(decision);
+    }
+    return observed(now, request, rule.obligations(), decision);
   }
 
   /**
@@ -89,37 +112,91 @@ public final class PolicyGuard implements Guard {
    * member, and that member to make it. A stop is the caller's own: what it carries may not prevent
    * it.
    */
-  private Decision decideOnBehalf(ActivePolicy now, AccessRequest request, Behalf behalf) {
-    AccessRequest alone = request.by(request.caller().alone());
+  private Decision decideOnBehalf(
+      ActivePolicy now, AccessRequest request, Behalf behalf, UnaryOperator<Decision> last) {
     if (CalledMethod.of(request.type(), request.method()).kind() == MethodKind.STOP) {
-      return decide(now, alone);
+      return decide(now, request.by(request.caller().alone()), last);
     }
     Optional<Member> principal = behalf.principal();
     if (principal.isEmpty()) {
       return observed(now, request, Obligations.NONE, Decision.deny(DELEGATION, behalf.fault()));
     }
-    Decision bearer = decide(now, request);
-    if (!bearer.isPermitted()) {
-      return bearer;
+    Candidate bearer = deciding(now, request);
+    if (!bearer.decision().isPermitted()) {
+      return observed(now, request, bearer.obligations(), bearer.decision());
     }
-    Caller delegating = new Caller(Caller.Standing.MEMBER, principal, request.caller().address());
-    Decision delegated = decide(now, request.by(delegating));
-    return delegated.isPermitted()
-        ? Decision.permit(bearer.rule() + BOTH + delegated.rule())
-        : delegated;
+    AccessRequest delegated = request.by(delegating(principal.get(), request.caller()));
+    Candidate second = deciding(now, delegated);
+    Obligations both = bearer.obligations().and(second.obligations());
+    if (!second.decision().isPermitted()) {
+      return observed(now, request, both, second.decision());
+    }
+    Decision permitted =
+        Decision.permit(bearer.decision().rule() + BOTH + second.decision().rule());
+    List<Permission> permissions =
+        List.of(new Permission(bearer, request), new Permission(second, delegated));
+    return observed(now, request, both, checked(permissions, request, permitted, last));
   }
 
-  private Decision decide(ActivePolicy now, AccessRequest known) {
+  /** The rule that decides about a call, as far as its conditions are concerned. */
+  private Candidate deciding(ActivePolicy now, AccessRequest known) {
     for (Candidate each : now.candidates(known)) {
-      if (each.isImmediate()) {
-        return observed(now, known, each.obligations(), each.decision());
-      }
       PolicyRule rule = each.rule();
-      if (rule != null && rule.appliesNow(facts)) {
-        return observed(now, known, each.obligations(), checked(rule, each, known));
+      if (each.isImmediate() || (rule != null && rule.appliesNow(facts))) {
+        return each;
       }
     }
     throw new AssertionError("the last candidate always decides");
+  }
+
+  @Override
+  public Permissions permissions() {
+    return permissions;
+  }
+
+  /** What the present policy says about calls of earlier ones. */
+  private final class PresentPermissions implements Permissions {
+
+    @Override
+    public long version() {
+      return policy().version();
+    }
+
+    /** Nothing is counted, asked or recorded: rates and confirmations are for the call alone. */
+    @Override
+    public boolean isStillPermitted(AccessRequest call) {
+      ActivePolicy now = active;
+      AccessRequest known = recognised(call, now.policy());
+      Caller caller = known.caller();
+      Optional<Behalf> behalf = caller.behalf();
+      if (behalf.isEmpty()) {
+        return isPermitted(now, known);
+      }
+      if (CalledMethod.of(known.type(), known.method()).kind() == MethodKind.STOP) {
+        return isPermitted(now, known.by(caller.alone()));
+      }
+      return isPermitted(now, known)
+          && behalf
+              .get()
+              .principal()
+              .filter(each -> isPermitted(now, known.by(delegating(each, caller))))
+              .isPresent();
+    }
+
+    private boolean isPermitted(ActivePolicy now, AccessRequest request) {
+      return deciding(now, request).decision().isPermitted();
+    }
+
+    @Override
+    public Runnable onReplacement(Runnable listener) {
+      replacementListeners.add(listener);
+      return () -> replacementListeners.remove(listener);
+    }
+  }
+
+  /** A principal, as if it made the call of a bearer. */
+  private static Caller delegating(Member principal, Caller bearer) {
+    return new Caller(Caller.Standing.MEMBER, Optional.of(principal), bearer.address());
   }
 
   @Override
@@ -128,25 +205,67 @@ public final class PolicyGuard implements Guard {
     return now.visibility(recognised(caller.alone(), now.policy())); // it sees for itself
   }
 
-  /** The decision of a rule that applies, after its rate and its confirmation are checked. */
-  private Decision checked(PolicyRule rule, Candidate candidate, AccessRequest request) {
-    ActivePolicy.@Nullable UnmetObligations unmet = candidate.unmet();
-    if (unmet == null) {
-      return candidate.decision();
+  /**
+   * A rule that permits a call.
+   *
+   * @param counted the call, by the caller to whom the rule permits it
+   */
+  private record Permission(Candidate rule, AccessRequest counted) {}
+
+  /**
+   * The decision about a call that rules permit, after their rates and confirmations are checked. A
+   * confirmation is used last: a call that does not run uses none. All that are missing are asked
+   * for at once.
+   *
+   * @param request the call as it is made, which is what an operator confirms
+   */
+  private Decision checked(
+      List<Permission> permissions,
+      AccessRequest request,
+      Decision permitted,
+      UnaryOperator<Decision> last) {
+    @Nullable Decision missing = null;
+    for (Permission each : permissions) {
+      ActivePolicy.@Nullable UnmetObligations unmet = each.rule().unmet();
+      @Nullable PolicyRule rule = asking(each);
+      if (unmet != null && rule != null) {
+        switch (confirmations.ask(request, rule)) {
+          case REFUSED -> {
+            return unmet.refused();
+          }
+          case NONE -> missing = unmet.notConfirmed();
+          case CONFIRMED -> {}
+        }
+      }
     }
-    boolean needsConfirmation = rule.obligations().isConfirmed();
-    Confirmations.Answer answer =
-        needsConfirmation ? confirmations.ask(request, rule) : Confirmations.Answer.CONFIRMED;
-    if (answer != Confirmations.Answer.CONFIRMED) {
-      return answer == Confirmations.Answer.NONE ? unmet.notConfirmed() : unmet.refused();
+    if (missing != null) {
+      return missing;
     }
-    @Nullable CallRateLimiter limiter = candidate.limiter();
-    if (limiter != null && !limiter.tryCall(request)) {
-      return unmet.tooOften(); // which uses no confirmation
+    for (Permission each : permissions) {
+      @Nullable CallRateLimiter limiter = each.rule().limiter();
+      ActivePolicy.@Nullable UnmetObligations unmet = each.rule().unmet();
+      if (unmet != null && limiter != null && !limiter.tryCall(each.counted())) {
+        return unmet.tooOften();
+      }
     }
-    return !needsConfirmation || confirmations.use(request, rule)
-        ? candidate.decision()
-        : unmet.notConfirmed();
+    Decision decision = last.apply(permitted);
+    for (Permission each : permissions) {
+      @Nullable PolicyRule rule = asking(each);
+      ActivePolicy.@Nullable UnmetObligations unmet = each.rule().unmet();
+      if (decision.isPermitted()
+          && unmet != null
+          && rule != null
+          && !confirmations.use(request, rule)) {
+        return unmet.notConfirmed();
+      }
+    }
+    return decision;
+  }
+
+  /** The rule, if it obliges to ask an operator. */
+  private static @Nullable PolicyRule asking(Permission permission) {
+    @Nullable PolicyRule rule = permission.rule().rule();
+    return rule != null && rule.obligations().isConfirmed() ? rule : null;
   }
 
   private Decision observed(
@@ -188,18 +307,22 @@ public final class PolicyGuard implements Guard {
   }
 
   /**
-   * Replaces the policy: later calls are decided by the new one. Counts of rates begin again.
+   * Replaces the policy: later calls are decided by the new one. Counts of rates begin again. Then
+   * calls the listeners of {@link #permissions}.
    *
    * @param next has a higher version than the present one, and is of the same team
    * @return false, with nothing changed, if it is the present one
    * @throws PolicyReplacementException if it is older, of another team, or a different one of the
    *     same version
    */
-  public synchronized boolean replace(Policy next) {
-    if (!policy().identity().isReplacedBy(next.identity(), next.place().file())) {
-      return false;
+  public boolean replace(Policy next) {
+    synchronized (this) {
+      if (!policy().identity().isReplacedBy(next.identity(), next.place().file())) {
+        return false;
+      }
+      active = new ActivePolicy(next, nanos);
     }
-    active = new ActivePolicy(next, nanos);
+    replacementListeners.forEach(Runnable::run);
     return true;
   }
 }

@@ -25,6 +25,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import org.dfra.security.AccessRequest;
+import org.dfra.security.Behalf;
 import org.dfra.security.Caller;
 import org.dfra.security.Decision;
 import org.junit.jupiter.api.BeforeEach;
@@ -93,6 +94,26 @@ class AuditFloodTest {
     assertThat(count(lines, AuditKind.RECORDS_DROPPED)).isEqualTo(FLOOD - 50);
     assertThat(size()).isLessThanOrEqualTo(8 * AuditSettings.LEAST_BYTES);
     assertWhole();
+  }
+
+  /** Each refusal says what the forged credential says, so they are all different. */
+  @Test
+  void forgedCredentialsLeaveOtherEventsTheirRecords() throws Exception {
+    AuditSettings settings =
+        AuditFixture.settings(folder, "gps", 8, AuditSettings.LEAST_BYTES, 10, 5);
+    try (AuditTrail trail = new AuditTrail(settings, CLOCK)) {
+      trail.start();
+      for (int i = 0; i < 100; i++) {
+        Behalf forged = Behalf.unproved("the delegation of operator mallory" + i + " is forged");
+        trail.record(refusal(AuditFixture.ANNA.onBehalfOf(forged)));
+      }
+      for (int i = 0; i < 8; i++) {
+        trail.record(AuditFixture.different(i));
+      }
+    }
+    List<AuditLine> lines = lines(folder);
+    assertThat(lines.stream().filter(each -> each.reason().contains("number "))).hasSize(8);
+    assertThat(lines.stream().filter(each -> each.standing().equals("member"))).hasSize(5 + 8);
   }
 
   @Test

@@ -297,4 +297,16 @@ class LeaseRegistryTest {
     registry.revokeInBackground(commander.id());
     assertThat(submitted).as("for a lease that is over").hasSize(1);
   }
+
+  @Test
+  void aLeaseThatExpiresAtOnceIsNotRememberedAsRevoked() throws Exception {
+    LeaseGrant grant =
+        book.grant(Duration.ofSeconds(10), LeaseRole.CLIENT, null, () -> over.add("it"));
+    book.expireInBackground(grant.id());
+    assertThat(over).containsExactly("it");
+    assertThat(book.contains(grant.id())).isFalse();
+    assertThat(book.isRevoked(grant.id())).as("its holder may ask for another").isFalse();
+    assertThat(time.waiting()).isZero();
+    assertThat(reported).containsExactly(1, 0);
+  }
 }

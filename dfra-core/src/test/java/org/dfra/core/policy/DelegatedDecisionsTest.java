@@ -7,8 +7,14 @@ import static org.dfra.core.policy.PolicyFixture.BOB;
 import static org.dfra.core.policy.PolicyFixture.call;
 import static org.dfra.core.policy.PolicyFixture.policy;
 
+import java.time.Instant;
+import java.time.InstantSource;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Random;
+import java.util.concurrent.atomic.AtomicLong;
+import org.dfra.core.policy.ConfirmationRequests.PendingConfirmation;
 import org.dfra.security.AccessRequest;
 import org.dfra.security.Behalf;
 import org.dfra.security.Caller;
@@ -108,5 +114,91 @@ class DelegatedDecisionsTest {
     assertThat(guard.decide(forAnna).isPermitted()).as("anna's third call").isFalse();
     Caller forBert = ATRV1.onBehalfOf(Behalf.of(new Member("field", MemberRole.OPERATOR, "bert")));
     assertThat(guard.decide(call(forBert, "execute")).isPermitted()).isTrue();
+  }
+
+  private final AtomicLong nanos = new AtomicLong();
+  private final ConfirmationRequests requests =
+      new ConfirmationRequests(nanos::get, new Random(2026), () -> {});
+  private final List<DecisionRecord> observed = new ArrayList<>();
+
+  private PolicyGuard asking(String... lines) {
+    return new PolicyGuard(
+        policy(lines),
+        PolicyFacts.none(),
+        requests,
+        observed::add,
+        InstantSource.fixed(Instant.EPOCH),
+        nanos::get);
+  }
+
+  private void confirmAll() {
+    for (PendingConfirmation each : requests.pending()) {
+      assertThat(requests.answer(each.id(), true)).isTrue();
+    }
+  }
+
+  @Test
+  void aConfirmationIsForOneCallerAndOnePrincipal() {
+    Caller forBert = ATRV1.onBehalfOf(Behalf.of(new Member("field", MemberRole.OPERATOR, "bert")));
+    PolicyGuard guard =
+        asking(
+            "<permit role=\"robot\" for-role=\"operator\"><ask/></permit>",
+            "<permit role=\"operator\"/>");
+    assertThat(guard.decide(call(FOR_ANNA, "execute")).isPermitted()).isFalse();
+    confirmAll();
+    assertThat(guard.decide(call(forBert, "execute")).isPermitted())
+        .as("what was confirmed for anna")
+        .isFalse();
+    assertThat(guard.decide(call(FOR_ANNA, "execute")).isPermitted()).isTrue();
+  }
+
+  @Test
+  void whatAnOperatorsOwnCallWasConfirmedForIsNoneOfTheOneWhoActsForHer() {
+    PolicyGuard guard =
+        asking(
+            "<permit role=\"robot\" for-role=\"operator\"/>",
+            "<permit role=\"operator\"><ask/></permit>");
+    assertThat(guard.decide(call(ANNA, "execute")).isPermitted()).isFalse();
+    confirmAll();
+    assertThat(guard.decide(call(FOR_ANNA, "execute")).isPermitted())
+        .as("anna's own confirmation")
+        .isFalse();
+    assertThat(requests.pending())
+        .as("who sees the request knows who makes the call")
+        .singleElement()
+        .satisfies(each -> assertThat(each.request().caller()).isEqualTo(FOR_ANNA));
+    assertThat(guard.decide(call(ANNA, "execute")).isPermitted()).isTrue();
+    confirmAll();
+    assertThat(guard.decide(call(ANNA, "execute")).isPermitted()).isFalse();
+    assertThat(guard.decide(call(FOR_ANNA, "execute")).isPermitted()).isTrue();
+  }
+
+  @Test
+  void confirmationsOfBothRulesAreAskedForAtOnceAndUsedTogether() {
+    PolicyGuard guard =
+        asking(
+            "<permit name=\"a\" role=\"robot\" for-role=\"operator\"><ask/></permit>",
+            "<permit name=\"b\" role=\"operator\"><ask/></permit>");
+    assertThat(guard.decide(call(FOR_ANNA, "execute")).isPermitted()).isFalse();
+    assertThat(requests.pending()).hasSize(2);
+    assertThat(requests.answer(requests.pending().get(0).id(), true)).isTrue();
+    assertThat(guard.decide(call(FOR_ANNA, "execute")).isPermitted()).as("one of two").isFalse();
+    confirmAll();
+    assertThat(guard.decide(call(FOR_ANNA, "execute")).isPermitted()).isTrue();
+    assertThat(guard.decide(call(FOR_ANNA, "execute")).isPermitted()).isFalse();
+  }
+
+  @Test
+  void theLogHasOneDecisionWithBothMembers() {
+    PolicyGuard guard =
+        asking(
+            "<permit name=\"a\" role=\"robot\" for-role=\"operator\"><log/></permit>",
+            "<deny name=\"b\" role=\"operator\"><notify/></deny>");
+    assertThat(guard.decide(call(FOR_ANNA, "execute")).isPermitted()).isFalse();
+    assertThat(observed).hasSize(1);
+    assertThat(DecisionLog.sentence(observed.get(0)))
+        .startsWith("Refused Effector.execute on drive to " + FOR_ANNA + " by rule b of");
+    assertThat(observed.get(0).obligations().isLogged()).isTrue();
+    assertThat(observed.get(0).obligations().isNotified()).isTrue();
   }
 }

@@ -13,9 +13,11 @@ import java.time.InstantSource;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
+import org.dfra.core.budget.BudgetGuard;
 import org.dfra.core.policy.ConfirmationRequests.PendingConfirmation;
 import org.dfra.core.policy.Obligations.RateLimit;
 import org.dfra.security.Caller;
@@ -167,6 +169,39 @@ class ObligationsTest {
   }
 
   @Test
+  void aStopNeedsNoConfirmationAndHasNoRate() {
+    PolicyGuard guard = guard("<permit><ask/><rate max=\"1\" per=\"1h\"/></permit>");
+    for (int i = 0; i < 3; i++) {
+      assertThat(guard.decide(call(BOB, "emergencyStop")).isPermitted()).as("stop %d", i).isTrue();
+    }
+    assertThat(requests.pending()).isEmpty();
+    assertThat(guard.decide(call(ANNA, "releaseEmergencyStop")).isPermitted()).isFalse();
+  }
+
+  @Test
+  void aCallThatABudgetRefusesUsesNoConfirmation() {
+    PolicyGuard policy =
+        guard(
+            "<permit name=\"ask-first\" interface=\"Effector\" method=\"execute\"><ask/></permit>",
+            "<permit/><budget calls=\"1/s\"/>");
+    BudgetGuard guard =
+        new BudgetGuard(
+            policy, () -> policy.policy().budgets(), "atrv1", r -> false, nanos::get, w -> {});
+    guard.decide(call(ANNA, "execute"));
+    assertThat(requests.answer(requestOf("execute"), true)).isTrue();
+    assertThat(guard.decide(call(ANNA, "readiness")).isPermitted()).isTrue();
+    Decision refused = guard.decide(call(ANNA, "execute"));
+    assertThat(refused.rule()).startsWith("budget ");
+    assertThat(observed.get(observed.size() - 1).decision())
+        .as("what the log says")
+        .isEqualTo(refused);
+    pass(1000);
+    assertThat(guard.decide(call(ANNA, "execute")).isPermitted())
+        .as("the confirmation is still there")
+        .isTrue();
+  }
+
+  @Test
   void theGuardSaysWhatADecisionObligesTo() {
     PolicyGuard guard = guard("<permit name=\"noted\" role=\"operator\"><log/><notify/></permit>");
     assertThat(guard.obligations(guard.decide(call(ANNA, "execute"))))
@@ -221,5 +256,33 @@ class ObligationsTest {
     pass(1000);
     assertThat(log.countLine()).as("omitted before it").isEqualTo(2);
     assertThat(log.countLine()).isZero();
+  }
+
+  /** The disk of a log may stand still, and a stop must not wait for it. */
+  @Test
+  void aDecisionDoesNotWaitForTheLog() {
+    List<Runnable> waiting = new ArrayList<>();
+    DecisionLog log =
+        new DecisionLog(
+            nanos::get,
+            line -> {
+              if (waiting.size() == 2) {
+                throw new RejectedExecutionException("the log stands still");
+              }
+              waiting.add(line);
+            });
+    PolicyGuard guard =
+        new PolicyGuard(
+            policy("<permit name=\"noted\"><notify/></permit>"),
+            PolicyFacts.none(),
+            requests,
+            log,
+            InstantSource.fixed(NOON),
+            nanos::get);
+    for (int i = 0; i < 5; i++) {
+      assertThat(guard.decide(call(ANNA, "emergencyStop")).isPermitted()).isTrue();
+    }
+    assertThat(waiting).as("written by another thread").hasSize(2);
+    assertThat(log.countLine()).as("those that were not taken").isEqualTo(3);
   }
 }

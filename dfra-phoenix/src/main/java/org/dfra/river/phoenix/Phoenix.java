@@ -21,6 +21,7 @@ import java.security.PrivilegedActionException;
 import java.security.PrivilegedExceptionAction;
 import java.time.Duration;
 import java.time.InstantSource;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
@@ -30,12 +31,14 @@ import net.jini.config.Configuration;
 import net.jini.config.ConfigurationException;
 import net.jini.config.ConfigurationProvider;
 import net.jini.export.Exporter;
+import org.dfra.river.call.PeerAddress;
 import org.dfra.river.filter.SerialFilters;
 import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.phoenix.access.LocalCallerGuard;
 import org.dfra.river.phoenix.access.ReadOnlyRegistrySocketFactory;
 import org.dfra.river.phoenix.host.UncaughtExceptionLogger;
 import org.dfra.river.security.SecureProcess;
+import org.dfra.river.security.budget.ProcessBudgets;
 import org.dfra.time.Scheduler;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -176,7 +179,8 @@ public final class Phoenix implements AutoCloseable {
     daemon
         .groupTable()
         .exported((Activator) export(configuration.activatorExporter(), activatorService));
-    Remote unused = export(configuration.stopExporter(), stopOrders); // its identity is known
+    Remote stops = export(configuration.stopExporter(), stopOrders); // its identity is known
+    exportBudgets(PeerAddress.of(stops));
     // Last, since callers of the system wait for it: groups and activator must be ready by then.
     systemService.exported(system, monitor, this::closeSoon);
     if (open != null) {
@@ -184,6 +188,14 @@ public final class Phoenix implements AutoCloseable {
     }
     daemon.scheduleRestarts();
     LOG.info("Phoenix is ready: {} groups.", daemon.groupTable().groups().size());
+  }
+
+  /** At phoenix's port, which its users know. */
+  private static void exportBudgets(@Nullable PeerAddress here) throws ExportException {
+    Optional<ProcessBudgets> budgets = SecureProcess.budgets();
+    if (here != null && budgets.isPresent()) {
+      budgets.get().export(here.host(), here.port());
+    }
   }
 
   /** Undoes a failed start; the groups that were found running continue to run. */

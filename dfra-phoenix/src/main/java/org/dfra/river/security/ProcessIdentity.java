@@ -45,6 +45,7 @@ import org.dfra.security.Decision;
 import org.dfra.security.Guard;
 import org.dfra.security.Member;
 import org.dfra.security.MemberRole;
+import org.dfra.security.Permissions;
 import org.dfra.security.Visibility;
 import org.jspecify.annotations.Nullable;
 
@@ -127,7 +128,7 @@ final class ProcessIdentity {
             clock,
             System::nanoTime);
     BudgetGuard budgets = budgets(guard, credentials.member());
-    ReplaceableGuard asked = new ReplaceableGuard(budgets);
+    ReplaceableGuard asked = new ReplaceableGuard(budgets, mode == SecurityMode.CLOSED);
     TeamIdentity identity =
         new TeamIdentity(
             new TeamIdentity.Settings(
@@ -175,7 +176,7 @@ final class ProcessIdentity {
     RevokedCertificates revoked = new RevokedCertificates(robot.authority());
     PolicyGuard guard = new PolicyGuard(BuiltInPolicies.closed(member.team()));
     BudgetGuard budgets = budgets(guard, member);
-    ReplaceableGuard asked = new ReplaceableGuard(budgets);
+    ReplaceableGuard asked = new ReplaceableGuard(budgets, true);
     TeamIdentity identity =
         new TeamIdentity(
             new TeamIdentity.Settings(
@@ -205,10 +206,12 @@ final class ProcessIdentity {
   /** The transport has it before the audit trail is there. */
   private static final class ReplaceableGuard implements Guard {
 
+    private final boolean isClosed;
     private volatile Guard guard;
 
-    ReplaceableGuard(Guard guard) {
+    ReplaceableGuard(Guard guard, boolean isClosed) {
       this.guard = guard;
+      this.isClosed = isClosed;
     }
 
     @Override
@@ -229,6 +232,12 @@ final class ProcessIdentity {
     @Override
     public Visibility visibility(Caller caller) {
       return guard.visibility(caller);
+    }
+
+    /** A robot that has become closed goes on with what its members had begun. */
+    @Override
+    public Permissions permissions() {
+      return isClosed ? Permissions.LASTING : guard.permissions();
     }
   }
 

@@ -159,7 +159,9 @@ public final class SecureProcess {
     }
     watch = SecurityWatch.start(folder, made, new SecurityWatch.Parts(known, shared, limits));
     if (mode == SecurityMode.SECURE) {
-      news = new NewsExchange(folder, made.authority(), made.identity(), made::numbers);
+      news =
+          new NewsExchange(
+              folder, made.authority(), made.identity(), made::numbers, SecureProcess::readAgain);
       TrustedCode.trustTeam(
           new TeamCode(made.authority(), made.revoked(), Objects.requireNonNull(known).clock()));
     }

@@ -135,7 +135,7 @@ final class SecurityWatch implements Runnable {
       }
       @Nullable RobotState robot = parts.robot();
       return robot != null && robot.look(identity.policy().policy().needsPosition());
-    } catch (RuntimeException e) { // the next change counts all the same
+    } catch (RuntimeException | Error e) { // without this thread, no revocation would be noticed
       LOG.error("A change of {} was not noticed.", folder, e);
       return false;
     }

@@ -18,12 +18,15 @@ import org.dfra.river.security.budget.ProcessBudgets;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the running processes of a computer's robots report about their budgets.
+ * What phoenix and the running processes of a computer's robots report about their budgets.
  *
- * @param reports by group, as {@code robot.group}
+ * @param reports by group, as {@code robot.group}; and {@value #PHOENIX}
  * @param silent groups without an answer, with the reason, in words
  */
 public record BudgetSurvey(Map<String, BudgetMonitor.Report> reports, List<String> silent) {
+
+  /** The name of phoenix, which no group has. */
+  public static final String PHOENIX = "phoenix";
 
   /**
    * Asks the processes.
@@ -38,6 +41,13 @@ public record BudgetSurvey(Map<String, BudgetMonitor.Report> reports, List<Strin
     Map<String, BudgetMonitor.Report> reports = new TreeMap<>();
     Set<String> groups = new TreeSet<>();
     Map<String, String> faults = new TreeMap<>();
+    groups.add(PHOENIX);
+    try {
+      PeerAddress itself = new PeerAddress(phoenix.host(), phoenix.port());
+      reports.put(PHOENIX, ProcessBudgets.at(itself).budgets());
+    } catch (IOException e) {
+      faults.put(PHOENIX, String.valueOf(e.getMessage()));
+    }
     for (RegisteredService each : PhoenixInventory.services(phoenix)) {
       boolean isAsked = robots.isEmpty() || robots.contains(each.robot());
       if (!isAsked || reports.containsKey(each.group())) {

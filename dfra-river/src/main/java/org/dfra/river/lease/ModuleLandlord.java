@@ -28,10 +28,10 @@ import org.dfra.lease.LeaseRole;
 import org.dfra.river.access.RemoteCaller;
 import org.dfra.river.callback.ClientAddress;
 import org.dfra.river.callback.PeerQuota;
-import org.dfra.river.identity.ChannelPeer;
 import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.remote.LeaseRevokedException;
 import org.dfra.river.remote.ProcessLease;
+import org.dfra.security.Permissions;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -61,10 +61,11 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
   private final String host;
   private final PeerQuota quota;
   private volatile @Nullable Landlord proxy; // once it is exported
-  private volatile Runnable notRevoking = () -> {}; // ends the callback of endRevoked
+  private volatile Runnable notWatching = () -> {}; // ends the callback of endLost
+  private volatile Permissions permissions = Permissions.LASTING; // from the start on
 
-  /** Members that hold leases: a revoked one loses its leases at once. */
-  private final Map<UUID, ChannelPeer> members = new ConcurrentHashMap<>();
+  /** Who holds leases: one that is revoked, or that a new policy does not permit, ends at once. */
+  private final Map<UUID, LeaseHolder> holders = new ConcurrentHashMap<>();
 
   /**
    * @param module the module's path, {@code robot/name}
@@ -110,7 +111,8 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
   /** Exports the landlord. Before that it grants nothing. */
   public void start() throws RemoteException {
     if (proxy == null) {
-      notRevoking = CurrentIdentity.onRevocation(this::endRevoked);
+      permissions = LeaseHolder.currentPermissions();
+      notWatching = CurrentIdentity.onLostRights(this::endLost);
       proxy = (Landlord) exporter.export(this);
     }
   }
@@ -122,18 +124,25 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
       proxy = null;
       exporter.unexport(true);
     }
-    notRevoking.run();
+    notWatching.run();
   }
 
-  /** A revoked member cannot renew its leases; what it commands must not go on until they end. */
-  private void endRevoked() {
-    members.forEach(
-        (id, member) -> {
-          if (member.isRevoked()) {
-            LOG.info("{}: a lease of {} ends, whose certificate was revoked", module, member);
-            book.revokeInBackground(id);
-          }
-        });
+  private void endLost() {
+    holders.forEach(this::endIfLost);
+  }
+
+  /**
+   * Ends a lease whose holder has lost its right: what it commands must not go on until the lease
+   * expires. After a new policy, it may ask for another one, since a later one may permit it again.
+   */
+  private void endIfLost(UUID id, LeaseHolder holder) {
+    if (holder.isRevoked()) {
+      LOG.info("{}: a lease of {} ends, whose certificate was revoked", module, holder);
+      book.revokeInBackground(id);
+    } else if (!holder.isStillPermitted(permissions)) {
+      LOG.info("{}: a lease of {} ends, which the policy no longer permits", module, holder);
+      book.expireInBackground(id);
+    }
   }
 
   /**
@@ -169,14 +178,14 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
             ? book.grant(requestedDuration(duration), holder, clientHost(), expired, cancelled)
             : counted(requestedDuration(duration), holder, expired, cancelled);
     UUID id = granted.id();
-    holding.begin(id);
+    holding.begin(id, LeaseHolder.ofCurrentCall(holder));
     return new ProcessLease(
         UuidFactory.create(id.getMostSignificantBits(), id.getLeastSignificantBits()),
         open,
         System.currentTimeMillis() + granted.duration().toMillis());
   }
 
-  /** A lease among those of {@link #members}, if a member holds it. */
+  /** A lease among those of {@link #holders}, if its connection is not open. */
   private final class Holding {
 
     @GuardedBy("this")
@@ -185,8 +194,7 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
     @GuardedBy("this")
     private @Nullable UUID id;
 
-    void begin(UUID granted) {
-      Optional<ChannelPeer> holder = ChannelPeer.ofCurrentCall();
+    void begin(UUID granted, Optional<LeaseHolder> holder) {
       if (holder.isEmpty()) {
         return;
       }
@@ -195,17 +203,15 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
           return;
         }
         id = granted;
-        members.put(granted, holder.get());
+        holders.put(granted, holder.get());
       }
-      if (holder.get().isRevoked()) { // since its call was permitted
-        book.revokeInBackground(granted);
-      }
+      endIfLost(granted, holder.get()); // since its call was permitted
     }
 
     synchronized void end() {
       isOver = true;
       if (id != null) {
-        members.remove(id);
+        holders.remove(id);
       }
     }
   }
@@ -274,7 +280,7 @@ public final class ModuleLandlord implements Landlord, LocalLandlord, AutoClosea
     if (book.isRevoked(id(cookie))) {
       throw new LeaseRevokedException(module + ": an administrator has revoked this lease");
     }
-    @Nullable ChannelPeer holder = members.get(id(cookie));
+    @Nullable LeaseHolder holder = holders.get(id(cookie));
     if (holder != null && holder.isRevoked()) { // such as a delegation that has expired
       book.revokeInBackground(id(cookie));
       throw new LeaseDeniedException(

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
 import net.jini.core.lookup.ServiceID;
+import net.jini.id.Uuid;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -39,6 +40,8 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
   private final Field maxListenerLease;
   private final Field serviceEnd; // milliseconds of the system clock
   private final Field listenerEnd;
+  private final Field serviceLease; // its ID
+  private final Field listenerLease;
   private final Field item; // of a registered service
   private final ReggieItems items;
 
@@ -65,6 +68,8 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
     maxListenerLease = ReggieFields.accessible(type, "maxEventLease");
     serviceEnd = ReggieFields.accessible(service, "leaseExpiration");
     listenerEnd = ReggieFields.accessible(listener, "leaseExpiration");
+    serviceLease = ReggieFields.accessible(service, "leaseID");
+    listenerLease = ReggieFields.accessible(listener, "leaseID");
     item = ReggieFields.accessible(service, "item");
   }
 
@@ -93,6 +98,25 @@ final class ReggieState implements RegistrationRules.LiveRegistrations {
       lock.readUnlock();
     }
     return live;
+  }
+
+  /**
+   * The ID of the lease of a service or a listener.
+   *
+   * @param key a service ID, or the number of the listener's event
+   * @return null if it is not registered
+   */
+  @Nullable Uuid lease(Object key) {
+    boolean isService = key instanceof ServiceID;
+    lock.readLock();
+    try {
+      @Nullable Object registration = (isService ? services : listeners).get(key);
+      return registration == null
+          ? null
+          : (Uuid) ReggieFields.value(isService ? serviceLease : listenerLease, registration);
+    } finally {
+      lock.readUnlock();
+    }
   }
 
   /** All its services except itself. */

@@ -1,9 +1,6 @@
 package org.dfra.river.registrar;
 
 import com.google.errorprone.annotations.concurrent.GuardedBy;
-import java.io.IOException;
-import java.io.ObjectOutputStream;
-import java.io.OutputStream;
 import java.lang.System.Logger.Level;
 import java.lang.reflect.Method;
 import java.net.InetAddress;
@@ -65,6 +62,7 @@ final class RegistrarDispatcher extends GuardedDispatcher {
   private final ReggieArgumentValidator arguments;
   private final ReggieItems items;
   private final VisibleLookup lookup;
+  private final RegistrationHolders holders;
 
   private final RegistrationRules rules; // guarded by this
 
@@ -106,6 +104,7 @@ final class RegistrarDispatcher extends GuardedDispatcher {
               new ReggieMatcher(ReggieFields.owner(reggie), items),
               items,
               new VisibleItems(its, items, claims, descriptors));
+      this.holders = new RegistrationHolders(reggie, state, methods);
     } catch (UnknownHostException e) {
       throw new ExportException(
           "host " + host + " is not known; export at an address of this machine", e);
@@ -117,6 +116,7 @@ final class RegistrarDispatcher extends GuardedDispatcher {
           e);
     }
     this.rules = new RegistrationRules(policy.robot(), state);
+    holders.start();
   }
 
   /**
@@ -144,6 +144,11 @@ final class RegistrarDispatcher extends GuardedDispatcher {
       case "register" -> register(impl, method, args, context);
       case "notify" -> listen(impl, method, args, context);
       case CHANGE, "addAttributes", "setAttributes" -> change(impl, method, args, context);
+      case "renewServiceLease", "renewEventLease", "renewLeases" -> {
+        Object granted = super.invoke(impl, method, args, context);
+        holders.renewed(args[0], args[1]);
+        yield granted;
+      }
       default -> super.invoke(impl, method, args, context);
     };
   }
@@ -220,8 +225,10 @@ final class RegistrarDispatcher extends GuardedDispatcher {
     @Nullable ServiceID id = state.effectiveId(item);
     long bytes = size(from, item);
     refusing(() -> rules.checkService(from, id, namesRobot, bytes));
-    Object registration = super.invoke(impl, method, args, context);
-    rules.addService(from, ((ServiceRegistration) registration).getServiceID(), namesRobot, bytes);
+    Object answer = super.invoke(impl, method, args, context);
+    ServiceRegistration registration = (ServiceRegistration) answer;
+    rules.addService(from, registration.getServiceID(), namesRobot, bytes);
+    holders.registered(registration.getServiceID());
     return registration;
   }
 
@@ -240,7 +247,9 @@ final class RegistrarDispatcher extends GuardedDispatcher {
     } finally {
       EventFilter.CURRENT.remove();
     }
-    rules.addListener(from, ((EventRegistration) registration).getID(), bytes);
+    EventRegistration made = (EventRegistration) registration;
+    rules.addListener(from, made.getID(), bytes);
+    holders.registered(made.getID());
     return registration;
   }
 
@@ -354,45 +363,5 @@ final class RegistrarDispatcher extends GuardedDispatcher {
     @Nullable InetAddress address = caller.address();
     return new RegistrationOrigin(
         address, address != null && (own.contains(address) || policy.admits(address)));
-  }
-
-  /** The size of objects in reggie's log, which is about their size in memory. */
-  private static final class SerializedSize {
-
-    private SerializedSize() {}
-
-    /**
-     * The total size of objects; shared parts count once.
-     *
-     * @param objects from a call, so that their size is already limited
-     * @return bytes
-     * @throws IllegalArgumentException if one cannot be serialized, as reggie would have to
-     */
-    static long of(@Nullable Object... objects) {
-      CountingStream counter = new CountingStream();
-      try (ObjectOutputStream out = new ObjectOutputStream(counter)) {
-        for (@Nullable Object each : objects) {
-          out.writeObject(each);
-        }
-      } catch (IOException e) {
-        throw new IllegalArgumentException("what was sent cannot be kept: " + e, e);
-      }
-      return counter.bytes;
-    }
-
-    private static final class CountingStream extends OutputStream {
-
-      private long bytes;
-
-      @Override
-      public void write(int b) {
-        bytes++;
-      }
-
-      @Override
-      public void write(byte[] b, int offset, int length) {
-        bytes += length;
-      }
-    }
   }
 }

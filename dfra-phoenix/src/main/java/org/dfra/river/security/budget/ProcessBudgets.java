@@ -135,10 +135,20 @@ public final class ProcessBudgets implements BudgetMonitor {
    *
    * @param host address of this computer, as in its proxies
    */
-  public synchronized void export(String host) throws ExportException {
+  public void export(String host) throws ExportException {
+    export(host, 0);
+  }
+
+  /**
+   * The same at another port of this process.
+   *
+   * @param port TCP port; 0 for that of everything that is exported at no other
+   */
+  public synchronized void export(String host, int port) throws ExportException {
     if (exported.add(host)) {
       Exporter exporter =
-          JeriExporters.notKeepingAlive(Endpoints.tcp(host, 0), new DeadlineILFactory(), IDENTITY);
+          JeriExporters.notKeepingAlive(
+              Endpoints.tcp(host, port), new DeadlineILFactory(), IDENTITY);
       Remote unused = exporter.export(this);
     }
   }

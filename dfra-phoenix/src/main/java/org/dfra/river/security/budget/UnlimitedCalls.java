@@ -5,14 +5,15 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
 import org.dfra.core.policy.method.MethodKinds;
+import org.dfra.river.security.news.TeamNews;
 import org.dfra.security.AccessRequest;
 import org.dfra.security.Caller.Standing;
 import org.jspecify.annotations.Nullable;
 
 /**
  * The calls that no budget refuses or slows: emergency stops, what lets a robot stand or keeps a
- * lease, how a member finds the robots that it wants to stop, and everything that a robot's own
- * processes call.
+ * lease, how a member finds the robots that it wants to stop, how lists of revoked certificates and
+ * policies pass between members, and everything that a robot's own processes call.
  */
 public final class UnlimitedCalls implements Predicate<AccessRequest> {
 
@@ -41,6 +42,10 @@ public final class UnlimitedCalls implements Predicate<AccessRequest> {
           "getEntryClasses",
           "getServiceTypes",
           "getLocator");
+
+  /** Of {@link TeamNews}: without them, a budget that is too small could not be replaced. */
+  private static final Set<String> NEWS =
+      Set.of("numbers", "revocations", "policy", "takeRevocations", "takePolicy");
 
   private static final int MAX_KNOWN = 10_000;
 
@@ -76,14 +81,18 @@ public final class UnlimitedCalls implements Predicate<AccessRequest> {
       found = isUnlimited(request.type(), request.method());
       known.put(key, found);
     }
-    // A stranger stops nobody, so it need not find anybody to stop.
+    // A stranger stops nobody, so it need not find anybody to stop, and it brings no news.
     return found
         && (request.caller().standing() != Standing.STRANGER
-            || !FINDING.contains(request.method().getName()));
+            || !(FINDING.contains(request.method().getName())
+                || isNews(request.method().getDeclaringClass())));
   }
 
   private static boolean isUnlimited(Class<?> type, Method method) {
     String name = method.getName();
+    if (isNews(method.getDeclaringClass())) {
+      return NEWS.contains(name);
+    }
     return switch (MethodKinds.of(type, method).kind()) {
       case STOP -> true;
       case LEASE -> LEASES.contains(name);
@@ -91,5 +100,9 @@ public final class UnlimitedCalls implements Predicate<AccessRequest> {
       case READ -> FINDING.contains(name);
       default -> false;
     };
+  }
+
+  private static boolean isNews(Class<?> type) {
+    return type == TeamNews.class;
   }
 }

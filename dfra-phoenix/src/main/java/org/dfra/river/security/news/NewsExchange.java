@@ -88,10 +88,15 @@ public final class NewsExchange {
    * @param authority of the team
    * @param identity of this process
    * @param own what is in force in this process
+   * @param taken puts in force what was just stored in the folder
    */
   public NewsExchange(
-      Path folder, X509Certificate authority, TeamIdentity identity, Supplier<Numbers> own) {
-    this.files = new NewsFiles(folder, authority);
+      Path folder,
+      X509Certificate authority,
+      TeamIdentity identity,
+      Supplier<Numbers> own,
+      Runnable taken) {
+    this.files = new NewsFiles(folder, authority, taken);
     Path state = Objects.requireNonNull(folder.toAbsolutePath().getParent());
     this.heads = new HeadFiles(state, identity, InstantSource.system());
     this.own = own;
@@ -150,8 +155,8 @@ public final class NewsExchange {
   }
 
   /**
-   * Exchanges with a process now, and returns what is in force there. Every call takes 2 s at most;
-   * what the process has just been given is in force there a little later.
+   * Exchanges with a process now, and returns what is in force there then. Every call takes 2 s at
+   * most.
    *
    * @param process where it exports something
    * @throws IOException if it cannot be asked, or does not take what the authority has signed

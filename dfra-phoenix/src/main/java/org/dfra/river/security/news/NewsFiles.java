@@ -23,7 +23,8 @@ import org.dfra.river.security.news.TeamNews.SignedPolicy;
 
 /**
  * What the authority has published, in the folder of the identity. All processes of a robot share
- * it, and notice its changes within half a second. Thread-safe, also between processes.
+ * it: the one that stores something puts it in force at once, and the others notice it within half
+ * a second. Thread-safe, also between processes.
  */
 final class NewsFiles {
 
@@ -34,14 +35,17 @@ final class NewsFiles {
 
   private final Path folder;
   private final X509Certificate authority;
+  private final Runnable stored;
 
   /**
    * @param folder with the identity
    * @param authority must have signed everything
+   * @param stored called after each change, without a lock
    */
-  NewsFiles(Path folder, X509Certificate authority) {
+  NewsFiles(Path folder, X509Certificate authority, Runnable stored) {
     this.folder = folder;
     this.authority = authority;
+    this.stored = stored;
   }
 
   /** The stored list of revoked certificates. */
@@ -83,6 +87,7 @@ final class NewsFiles {
         }
       }
     }
+    stored.run(); // also if another process has stored it meanwhile
   }
 
   private BigInteger number(byte[] list, String name) throws IOException {
@@ -109,5 +114,6 @@ final class NewsFiles {
     } catch (PolicyReplacementException e) {
       // it is not newer
     }
+    stored.run();
   }
 }

@@ -31,6 +31,7 @@ public final class RobotState {
   private final ConfirmationRequests requests;
   private final RequestFiles shared;
   private volatile boolean isPositionNeeded;
+  private String fault = ""; // confined to the thread of look
 
   /**
    * @param state the state folder
@@ -79,9 +80,15 @@ public final class RobotState {
     facts.look(needsPosition);
     sources.look(needsPosition);
     try {
-      return shared.exchange(requests);
+      boolean isAwaited = shared.exchange(requests);
+      fault = "";
+      return isAwaited;
     } catch (IOException e) {
-      LOG.error("Calls cannot be confirmed: {}", e.getMessage());
+      String reason = String.valueOf(e);
+      if (!reason.equals(fault)) { // it is tried several times a second
+        LOG.error("Calls cannot be confirmed: {}", reason);
+        fault = reason;
+      }
       return false;
     }
   }

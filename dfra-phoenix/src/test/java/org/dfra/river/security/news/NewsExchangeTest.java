@@ -11,6 +11,7 @@ import java.security.GeneralSecurityException;
 import java.time.Clock;
 import java.time.Duration;
 import java.time.InstantSource;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Set;
@@ -55,15 +56,26 @@ class NewsExchangeTest {
   private NewsExchange exchange;
   private TeamNews other;
   private HeadFiles otherHeads;
+  private final List<Numbers> takenHere = new ArrayList<>();
+  private final List<Numbers> takenThere = new ArrayList<>();
 
   @BeforeEach
   void join() throws Exception {
     here = folder("here");
     there = folder("there");
-    exchange = new NewsExchange(here, TEAM.authority(), identity(FIRST), () -> numbers(here));
+    exchange =
+        new NewsExchange(
+            here,
+            TEAM.authority(),
+            identity(FIRST),
+            () -> numbers(here),
+            () -> takenHere.add(numbers(here)));
     otherHeads = new HeadFiles(stateOf(there), identity(SECOND), CLOCK);
     other =
-        new NewsService(new NewsFiles(there, TEAM.authority()), otherHeads, () -> numbers(there));
+        new NewsService(
+            new NewsFiles(there, TEAM.authority(), () -> takenThere.add(numbers(there))),
+            otherHeads,
+            () -> numbers(there));
   }
 
   private static TeamIdentity identity(Issued issued) throws GeneralSecurityException {
@@ -119,6 +131,12 @@ class NewsExchangeTest {
     Files.write(list(there), TEAM.revocations(5));
     assertThat(exchange.exchange(other)).isEqualTo(new Numbers(5, 0));
     assertThat(list(here)).hasSameBinaryContentAs(list(there));
+    assertThat(takenThere).as("put in force at once").containsExactly(new Numbers(3, 0));
+    assertThat(takenHere).containsExactly(new Numbers(5, 0));
+    Numbers same = exchange.exchange(other);
+    assertThat(same).isEqualTo(new Numbers(5, 0));
+    assertThat(takenThere).as("nothing new").hasSize(1);
+    assertThat(takenHere).hasSize(1);
   }
 
   @Test

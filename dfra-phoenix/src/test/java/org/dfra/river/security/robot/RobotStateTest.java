@@ -69,9 +69,9 @@ class RobotStateTest {
         System::nanoTime);
   }
 
-  private static AccessRequest stop() {
+  private static AccessRequest release() {
     try {
-      Method method = DriveEffector.class.getMethod("emergencyStop", String.class);
+      Method method = DriveEffector.class.getMethod("releaseEmergencyStop", String.class);
       return new AccessRequest(OSCAR, "atrv1", "drive", DriveEffector.class, method);
     } catch (NoSuchMethodException e) {
       throw new AssertionError(e);
@@ -82,12 +82,12 @@ class RobotStateTest {
   void aFactThatIsSetInOneProcessCountsInTheOther() throws IOException {
     PolicyGuard guard = guard("<permit><while fact=\"load\" is=\"none\"/></permit>");
     control.setFact("load", "none");
-    assertThat(guard.decide(stop()).isPermitted()).isFalse();
+    assertThat(guard.decide(release()).isPermitted()).isFalse();
     boolean unused = called.look(false);
-    assertThat(guard.decide(stop()).isPermitted()).isTrue();
+    assertThat(guard.decide(release()).isPermitted()).isTrue();
     control.setFact("load", "full");
     unused = called.look(false);
-    assertThat(guard.decide(stop()).isPermitted()).isFalse();
+    assertThat(guard.decide(release()).isPermitted()).isFalse();
     assertThat(control.facts().named())
         .containsExactly(new NamedFact("load", "full", NOON, "the robot itself"));
     control.setFact("load", "");
@@ -130,12 +130,12 @@ class RobotStateTest {
   @Test
   void aCallIsConfirmedInTheOtherProcessOnce() throws IOException {
     PolicyGuard guard = guard("<permit name=\"ask-first\"><ask/></permit>");
-    assertThat(guard.decide(stop()).isPermitted()).isFalse();
+    assertThat(guard.decide(release()).isPermitted()).isFalse();
     assertThat(wakes).hasValue(1);
     assertThat(called.look(false)).as("an answer is awaited").isTrue();
     List<WaitingRequest> waiting = control.requests();
     assertThat(waiting).hasSize(1);
-    assertThat(waiting.get(0).method()).isEqualTo("Effector.emergencyStop");
+    assertThat(waiting.get(0).method()).isEqualTo("Effector.releaseEmergencyStop");
     assertThat(waiting.get(0).caller()).isEqualTo(OSCAR.toString());
     assertThat(waiting.get(0).secondsLeft()).isBetween(200L, 300L);
 
@@ -146,14 +146,14 @@ class RobotStateTest {
     assertThat(control.answer(id, false)).as("it has an answer").isFalse();
     assertThat(control.requests()).isEmpty();
     assertThat(called.look(false)).isFalse();
-    assertThat(guard.decide(stop()).isPermitted()).isTrue();
-    assertThat(guard.decide(stop()).isPermitted()).as("a second call").isFalse();
+    assertThat(guard.decide(release()).isPermitted()).isTrue();
+    assertThat(guard.decide(release()).isPermitted()).as("a second call").isFalse();
   }
 
   @Test
   void requestsOfProcessesThatHaveEndedAreDropped() throws IOException {
     PolicyGuard guard = guard("<permit name=\"ask-first\"><ask/></permit>");
-    assertThat(guard.decide(stop()).isPermitted()).isFalse();
+    assertThat(guard.decide(release()).isPermitted()).isFalse();
     boolean unused = called.look(false);
     String id = control.requests().get(0).id();
     Path file = folder.resolve("state").resolve(RobotState.FOLDER + "/requests/" + id + ".request");

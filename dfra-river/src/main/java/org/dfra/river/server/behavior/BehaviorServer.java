@@ -35,7 +35,7 @@ public abstract class BehaviorServer<G extends Goal, B extends Behavior<G>> exte
 
   @Override
   protected final AutoCloseable beforeExport() {
-    GoalRequester watching = new GoalRequester(path(), (BehaviorImpl<?>) module());
+    GoalRequester watching = new GoalRequester(path(), (BehaviorImpl<?>) module(), getClass());
     requester = watching;
     return watching;
   }
