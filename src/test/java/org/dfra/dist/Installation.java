@@ -74,7 +74,7 @@ final class Installation implements AutoCloseable {
         FULL ? Map.of() : SHORT_LIVED,
         jlink.toString(),
         "--add-modules",
-        "java.se,jdk.crypto.ec,jdk.unsupported",
+        "java.se,jdk.crypto.ec,jdk.security.auth,jdk.unsupported",
         "--output",
         jre.toString());
     assertThat(jre.resolve("bin/java")).isExecutable();

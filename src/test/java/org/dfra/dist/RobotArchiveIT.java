@@ -9,11 +9,14 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.time.Duration;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.dfra.benchmarks.secure.BenchTeam;
 import org.dfra.core.host.FreePorts;
+import org.dfra.security.MemberRole;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -30,6 +33,9 @@ class RobotArchiveIT {
 
   /** On a busy computer, the archive comes late: it is written with the lowest priority. */
   private static final Duration PATIENCE = Duration.ofSeconds(150);
+
+  /** Some that no archive has, such as events of the flight recorder, and some seldom used ones. */
+  private static final int MOST_OF_JDK = 100;
 
   @TempDir Path folder;
 
@@ -71,7 +77,33 @@ class RobotArchiveIT {
 
       assertThat(printed()).as("what the virtual machines printed").isEmpty();
       installed.dfra(robot, "down");
+
+      assertThat(classesOfJdk(installed, robot))
+          .as("classes of the JDK that a group of a member reads outside of the archive")
+          .hasSizeLessThan(MOST_OF_JDK);
     }
+  }
+
+  /**
+   * Joins a team and brings the robot up. Without a member's classes in the archive there are 1300:
+   * of TLS, key stores and XML.
+   */
+  private List<String> classesOfJdk(Installation installed, Map<String, String> robot)
+      throws Exception {
+    try (BenchTeam team = BenchTeam.create(folder.resolve("authority"))) {
+      Path unused = team.join(folder.resolve("state"), MemberRole.ROBOT, "atrv1");
+    }
+    Map<String, String> logged = new HashMap<>(robot);
+    logged.put("JAVA_TOOL_OPTIONS", "-Xlog:class+load:file=" + folder.resolve("classes-%p.log"));
+    Installation.Outcome up =
+        installed.dfra(logged, "up", "--port=" + FreePorts.allocate(), "--registry-port=-1");
+    assertThat(up.exit()).as(up.out() + up.err()).isZero();
+    assertThat(installed.dfra(robot, "status").out()).contains("Secure:");
+    Path log = folder.resolve("classes-" + group(installed).orElseThrow() + ".log");
+    List<String> lines = Files.readAllLines(log);
+    installed.dfra(robot, "down");
+    assertThat(lines).as("classes of TLS").anyMatch(line -> line.contains(" sun.security.ssl."));
+    return lines.stream().filter(line -> line.contains("source: jrt:/")).toList();
   }
 
   /** Waits until all archives are written and what wrote them has ended. */

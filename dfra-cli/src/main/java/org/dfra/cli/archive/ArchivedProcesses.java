@@ -25,6 +25,9 @@ import org.dfra.flow.sensor.GPSSensor;
 import org.dfra.river.bootstrap.PhoenixProcess;
 import org.dfra.river.bootstrap.RobotBootstrap;
 import org.dfra.river.filter.SerialFilters;
+import org.dfra.river.identity.IdentityException;
+import org.dfra.river.identity.IdentityFolder;
+import org.dfra.river.identity.TeamCredentials;
 import org.dfra.river.loading.TrustedCode;
 import org.dfra.river.lookup.JiniModuleDirectory;
 import org.dfra.river.phoenix.Phoenix;
@@ -97,7 +100,8 @@ final class ArchivedProcesses {
 
   /**
    * Makes this process secure, and thereby the group: a secure process loads the classes of an open
-   * one, and many more. Without a keytool the archive has those of an open process only.
+   * one, and many more. A Java runtime without {@code keytool} or {@code jdk.security.auth} runs no
+   * secure robot, and its archive has those of an open one only.
    */
   private static void joinTeam(Path folder, Path state) throws IOException, InterruptedException {
     PrivateFiles.makeFolder(state);
@@ -105,8 +109,9 @@ final class ArchivedProcesses {
     Path made = folder.resolve("identity");
     try {
       ArchiveIdentity.create(work, made);
-    } catch (IOException e) {
-      return; // the state folder has no identity then, so the robot is open
+      TeamCredentials unused = IdentityFolder.load(made);
+    } catch (IOException | IdentityException e) {
+      return; // this Java lacks a tool or a module that it needs; the robot is open
     }
     Path identity = Files.move(made, SecureProcess.folder(state));
     SecureProcess.Installed own = SecureProcess.install(identity, false);

@@ -50,9 +50,7 @@ class RiverDeadlineTest extends DeadlineContract {
     assertThatExceptionOfType(DeadlineExceededException.class)
         .isThrownBy(
             () -> {
-              for (int i = 0;
-                  i <= DeadlineInvocationHandler.UnresponsivePeers.MAX_BLOCKED_THREADS;
-                  i++) {
+              for (int i = 0; i <= UnresponsivePeers.MAX_BLOCKED_THREADS; i++) {
                 service.echo("x");
               }
             })
@@ -126,8 +124,7 @@ class RiverDeadlineTest extends DeadlineContract {
 
   @Test
   void silentPeersCountUpAndDown() {
-    DeadlineInvocationHandler.UnresponsivePeers peers =
-        new DeadlineInvocationHandler.UnresponsivePeers();
+    UnresponsivePeers peers = new UnresponsivePeers();
     assertThat(peers.blockedThreads("a")).isZero();
     peers.addBlockedThread("a");
     peers.addBlockedThread("a");
@@ -143,7 +140,7 @@ class RiverDeadlineTest extends DeadlineContract {
   @Test
   void threadsThatAPeerHeldAreLetGoWhenItAnswers() throws Exception {
     Service service = export(100);
-    for (int i = 0; i < DeadlineInvocationHandler.UnresponsivePeers.MAX_BLOCKED_THREADS / 2; i++) {
+    for (int i = 0; i < UnresponsivePeers.MAX_BLOCKED_THREADS / 2; i++) {
       assertThatExceptionOfType(DeadlineExceededException.class).isThrownBy(service::block);
     }
     release.countDown();

@@ -151,4 +151,31 @@ class PolicyBundleTest {
     store.store(signed(5, "<permit/>"));
     assertThat(store.load().orElseThrow().version()).isEqualTo(5);
   }
+
+  /**
+   * The note is believed for exactly the text that it is about, so that a process which starts need
+   * not compile the schema. The text here breaks the schema alone, which nobody would sign.
+   */
+  @Test
+  void aPolicyIsValidatedOnceAndAgainWhenItHasChanged() throws Exception {
+    store.store(signed(1, "<permit/>"));
+    Path note = folder.resolve(PolicyStore.VALID);
+    assertThat(note).doesNotExist();
+    store.load();
+    assertThat(Files.readString(note)).isEqualTo(PolicyXml.checksum(text(1, "<permit/>")));
+    assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(note)))
+        .isEqualTo("rw-------");
+
+    PolicyBundle broken = signed(2, "<permit unknown=\"x\"/>");
+    Files.write(folder.resolve("policy.xml"), broken.policy());
+    Files.write(folder.resolve("policy.sig"), broken.signature());
+    assertThatThrownBy(() -> store.load()).isInstanceOf(ConfigurationException.class);
+    Files.writeString(note, PolicyXml.checksum(broken.policy()));
+    assertThat(store.load().orElseThrow().version()).as("not validated again").isEqualTo(2);
+
+    Files.write(folder.resolve("policy.sig"), signed(2, "<permit/>").signature());
+    assertThatThrownBy(() -> store.load())
+        .as("the note replaces no signature")
+        .isInstanceOf(PolicySignatureException.class);
+  }
 }

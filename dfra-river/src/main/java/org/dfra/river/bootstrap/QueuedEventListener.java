@@ -150,8 +150,11 @@ final class QueuedEventListener implements RemoteEventListener, Serializable {
     QueuedEventListener unused = recovered(listener, client);
   }
 
-  /** Events that wait for the listener; at most one is being delivered. */
-  private static final class Deliveries {
+  /**
+   * Events that wait for the listener; at most one is being delivered. It has no lambda, since an
+   * archive of classes has neither the listener's class nor, therefore, its lambdas.
+   */
+  private static final class Deliveries implements Runnable {
 
     private final RemoteEventListener bounded;
     private final Executor lane;
@@ -194,7 +197,7 @@ final class QueuedEventListener implements RemoteEventListener, Serializable {
       waiting.add(event);
       if (!isUnderWay) {
         isUnderWay = true;
-        lane.execute(this::deliver);
+        lane.execute(this);
       }
     }
 
@@ -203,7 +206,9 @@ final class QueuedEventListener implements RemoteEventListener, Serializable {
       waiting.clear();
     }
 
-    private void deliver() {
+    /** Delivers one event. */
+    @Override
+    public void run() {
       @Nullable RemoteEvent event;
       synchronized (this) {
         event = waiting.poll();
@@ -214,7 +219,7 @@ final class QueuedEventListener implements RemoteEventListener, Serializable {
       synchronized (this) {
         isUnderWay = !waiting.isEmpty();
         if (isUnderWay) {
-          lane.execute(this::deliver);
+          lane.execute(this);
         }
       }
     }
