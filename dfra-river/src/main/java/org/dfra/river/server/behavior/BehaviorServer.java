@@ -71,22 +71,17 @@ public abstract class BehaviorServer<G extends Goal, B extends Behavior<G>> exte
 
   @Override
   public final void resume() throws RemoteException {
-    resume(module()::resume);
+    boolean unused = requester().by(() -> resumed(module()::resume));
   }
 
   @Override
   public final void resumeUnattended() throws RemoteException {
-    resume(module()::resumeUnattended);
+    boolean unused = requester().byProgram(() -> resumed(module()::resumeUnattended));
   }
 
-  private void resume(Resumption resumption) throws RemoteException {
-    boolean unused =
-        requester()
-            .by(
-                () -> {
-                  resumption.call();
-                  return true;
-                });
+  private static boolean resumed(Resumption resumption) throws RemoteException {
+    resumption.call();
+    return true;
   }
 
   @FunctionalInterface

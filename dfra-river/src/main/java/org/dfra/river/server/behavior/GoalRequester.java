@@ -10,6 +10,7 @@ import org.dfra.river.identity.ChannelPeer;
 import org.dfra.river.identity.CurrentIdentity;
 import org.dfra.river.lease.LeaseHolder;
 import org.dfra.river.server.behavior.GoalGiver.GoalCall;
+import org.dfra.security.Caller;
 import org.dfra.security.Permissions;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -86,6 +87,23 @@ final class GoalRequester implements AutoCloseable {
       }
     }
     review(true); // since its call was permitted
+    return result;
+  }
+
+  /**
+   * As {@link #by}, for a program that resumes a goal. The robot's own programs do it for the one
+   * who gave the goal, who stays the one that must be permitted to.
+   */
+  <T extends @Nullable Object> T byProgram(Request<T> request) throws RemoteException {
+    boolean isOwn =
+        PermittedCall.current()
+            .map(each -> each.caller().standing() == Caller.Standing.OWN)
+            .orElse(false);
+    if (!isOwn) {
+      return by(request);
+    }
+    T result = request.call();
+    review(false);
     return result;
   }
 

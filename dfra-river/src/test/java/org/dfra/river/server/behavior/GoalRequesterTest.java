@@ -243,6 +243,36 @@ class GoalRequesterTest {
   }
 
   @Test
+  void theRobotsOwnProgramsResumeAGoalForTheOneWhoGaveIt() throws Exception {
+    guarded("anna", "pursue", Optional.empty());
+    pursue(ANNA);
+    walk.pauseUnattended();
+    Caller own =
+        new Caller(
+            Caller.Standing.OWN, Optional.of(member(MemberRole.ROBOT, "atrv1")), "127.0.0.1");
+    AccessRequest resuming = permitted.orElseThrow().by(own);
+    ServerContext.doWithServerContext(
+        () -> {
+          try {
+            boolean unused =
+                requester.byProgram(
+                    () -> {
+                      walk.resumeUnattended();
+                      return true;
+                    });
+          } catch (RemoteException e) {
+            throw new IllegalStateException(e);
+          }
+        },
+        List.of(resuming));
+    assertThat(walk.status().phase()).isEqualTo(Phase.RUNNING);
+    revoke(OSCAR);
+    assertThat(walk.status().phase()).isEqualTo(Phase.RUNNING);
+    revoke(ANNA);
+    awaitPaused(walk);
+  }
+
+  @Test
   void aPolicyThatReplacesTheOneOfTheCallMeanwhileCounts() throws Exception {
     guarded("anna", "pursue", Optional.empty());
     by(
