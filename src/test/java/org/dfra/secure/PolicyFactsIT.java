@@ -28,13 +28,11 @@ import org.dfra.event.DeliveryPolicy;
 import org.dfra.event.Subscription;
 import org.dfra.example.thermometer.Thermometer;
 import org.dfra.flow.sensor.GPSSensor;
-import org.dfra.geometry.GeoPosition;
 import org.dfra.module.LogLevel;
 import org.dfra.module.Module;
 import org.dfra.river.remote.ModuleAdmin;
 import org.dfra.security.AccessRefusedException;
 import org.dfra.sim.device.gps.M12Emulator;
-import org.dfra.sim.device.gps.M12EmulatorSettings;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.MethodOrderer;
@@ -100,11 +98,7 @@ class PolicyFactsIT {
 
   @BeforeAll
   static void make() throws Exception {
-    receiver =
-        new M12Emulator(
-            M12EmulatorSettings.at(new GeoPosition(27.98, -82.45, 14)).withBaud(115_200),
-            Instant::now);
-    receiver.start();
+    receiver = TeamRobots.receiver();
     team = new SecureTeam(folder);
     team.init();
     Files.writeString(team.state(ANNA).resolve("authority").resolve("policy.xml"), POLICY);

@@ -10,7 +10,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.rmi.RemoteException;
 import java.time.Duration;
-import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.UUID;
@@ -34,7 +33,6 @@ import org.dfra.flow.effector.CommandKey;
 import org.dfra.flow.effector.DriveCommand.Velocity;
 import org.dfra.flow.effector.DriveEffector;
 import org.dfra.flow.sensor.GPSSensor;
-import org.dfra.geometry.GeoPosition;
 import org.dfra.lease.ModuleLease;
 import org.dfra.river.entry.ModuleEntry;
 import org.dfra.river.phoenix.GroupStatus;
@@ -42,7 +40,6 @@ import org.dfra.river.remote.ModuleAdmin;
 import org.dfra.secure.PlainCalls.Greeted;
 import org.dfra.security.AccessRefusedException;
 import org.dfra.sim.device.gps.M12Emulator;
-import org.dfra.sim.device.gps.M12EmulatorSettings;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.MethodOrderer;
@@ -84,11 +81,7 @@ class SecureTeamIT {
   @BeforeAll
   static void make() throws Exception {
     wheels = new Wheels();
-    receiver =
-        new M12Emulator(
-            M12EmulatorSettings.at(new GeoPosition(27.98, -82.45, 14)).withBaud(115_200),
-            Instant::now);
-    receiver.start();
+    receiver = TeamRobots.receiver();
     team = new SecureTeam(folder);
     team.describe(
         FIRST,

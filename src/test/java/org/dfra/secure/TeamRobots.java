@@ -1,14 +1,29 @@
 package org.dfra.secure;
 
+import java.io.IOException;
 import java.nio.file.Path;
+import java.time.Instant;
 import org.dfra.example.thermometer.SteadyThermometerImpl;
 import org.dfra.example.thermometer.ThermometerProxy;
 import org.dfra.example.thermometer.ThermometerServer;
+import org.dfra.geometry.GeoPosition;
+import org.dfra.sim.device.gps.M12Emulator;
+import org.dfra.sim.device.gps.M12EmulatorSettings;
 
 /** Parts of robots' descriptions. */
 final class TeamRobots {
 
   private TeamRobots() {}
+
+  /** An emulated GPS receiver that runs. To be closed. */
+  static M12Emulator receiver() throws IOException {
+    M12Emulator emulator =
+        new M12Emulator(
+            M12EmulatorSettings.at(new GeoPosition(27.98, -82.45, 14)).withBaud(115_200),
+            Instant::now);
+    emulator.start();
+    return emulator;
+  }
 
   static String group(String name, String... content) {
     return "<group name=\"" + name + "\">\n" + String.join("", content) + "</group>\n";

@@ -49,7 +49,8 @@ public interface Guard {
   /**
    * What a caller sees of the services that a lookup service lists. Asked for each call that reads
    * a lookup service, after {@link #decide} has permitted it, and for each event of one. A guard
-   * that hides nothing need not implement it; one that asks another guard must pass it on.
+   * that hides nothing need not implement it; one that asks another guard is a {@link
+   * ForwardingGuard}.
    */
   default Visibility visibility(Caller caller) {
     return Visibility.ALL;
@@ -57,7 +58,7 @@ public interface Guard {
 
   /**
    * What it says later about what its calls have obtained. A guard whose policy is never replaced
-   * need not implement it; one that asks another guard must pass it on.
+   * need not implement it; one that asks another guard is a {@link ForwardingGuard}.
    */
   default Permissions permissions() {
     return Permissions.LASTING;

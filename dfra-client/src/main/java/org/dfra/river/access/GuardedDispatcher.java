@@ -123,7 +123,7 @@ public class GuardedDispatcher extends FilteredInvocationDispatcher {
     try {
       super.dispatch(impl, request, context);
     } finally {
-      metered.end();
+      metered.dispatched();
     }
   }
 

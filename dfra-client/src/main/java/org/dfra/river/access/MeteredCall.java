@@ -48,8 +48,16 @@ final class MeteredCall {
     permitted = request;
   }
 
-  /** Reports what it has used. */
-  void end() {
+  /** Its dispatcher has returned. Reports what it has used when its response was sent. */
+  void dispatched() {
+    if (bytes == null) {
+      end();
+    } else {
+      bytes.whenEnded(this::end);
+    }
+  }
+
+  private void end() {
     long all = bytes == null ? 0 : bytes.takeBytes();
     if (permitted != null) {
       long nanos =

@@ -8,4 +8,11 @@ public interface MeteredRequest {
    * same connection. For the thread that serves the connection.
    */
   long takeBytes();
+
+  /**
+   * Runs something on the same thread when the response was sent, or could not be.
+   *
+   * @param action which does not fail
+   */
+  void whenEnded(Runnable action);
 }

@@ -41,7 +41,7 @@ final class InboundCall
   private InputStream toRead;
   private final MessageOutput response;
   private @Nullable ByteBuffer end; // the response's last block, once the response is complete
-  private boolean isEndCounted;
+  private @Nullable Runnable onEnd;
 
   InboundCall(ServerConnection connection, ByteBuffer input, ByteBuffer output) {
     this.connection = connection;
@@ -73,8 +73,12 @@ final class InboundCall
 
   @Override
   public long takeBytes() {
-    isEndCounted = end != null;
-    return connection.takeBytes() + (end == null ? 0 : end.remaining());
+    return connection.takeBytes();
+  }
+
+  @Override
+  public void whenEnded(Runnable action) {
+    onEnd = action;
   }
 
   @Override
@@ -155,10 +159,14 @@ final class InboundCall
       return false;
     }
     connection.send(end);
-    if (isEndCounted) {
-      long unused = connection.takeBytes(); // not with the next call
-    }
     return true;
+  }
+
+  /** Nothing more is sent. */
+  void ended() {
+    if (onEnd != null) {
+      onEnd.run();
+    }
   }
 
   /**

@@ -327,10 +327,14 @@ final class ServerConnection implements Runnable {
     }
     enter(State.EXECUTING);
     TransportTraffic.countCallServed();
-    CurrentIdentity.runAs(port.identity(), () -> port.dispatcher().dispatch(call));
-    boolean unused = Thread.interrupted(); // an object may leave it set; it would close the channel
-    if (!call.answer()) {
-      return false;
+    try {
+      CurrentIdentity.runAs(port.identity(), () -> port.dispatcher().dispatch(call));
+      boolean unused = Thread.interrupted(); // an object may leave it set; it closes a channel
+      if (!call.answer()) {
+        return false;
+      }
+    } finally {
+      call.ended();
     }
     requestBegan = System.nanoTime(); // it may have executed for long
     enter(State.RECEIVING);

@@ -5,18 +5,15 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import org.dfra.security.AccessRequest;
-import org.dfra.security.CallUse;
-import org.dfra.security.Caller;
 import org.dfra.security.Decision;
+import org.dfra.security.ForwardingGuard;
 import org.dfra.security.Guard;
-import org.dfra.security.Permissions;
-import org.dfra.security.Visibility;
 
 /**
  * Records what another guard decides. Permitted calls that only read and that oblige to nothing are
  * summed; all others are recorded. It never changes a decision, nor waits.
  */
-public final class AuditedGuard implements Guard {
+public final class AuditedGuard extends ForwardingGuard {
 
   private final Guard guard;
   private final AuditTrail trail;
@@ -46,13 +43,8 @@ public final class AuditedGuard implements Guard {
   }
 
   @Override
-  public Measurement measurement() {
-    return guard.measurement();
-  }
-
-  @Override
-  public void ended(AccessRequest request, CallUse use) {
-    guard.ended(request, use);
+  protected Guard guard() {
+    return guard;
   }
 
   /** Decides as the other guard does. What that throws is recorded and thrown here too. */
@@ -72,15 +64,5 @@ public final class AuditedGuard implements Guard {
       trail.record(AuditEvent.call(request, decision, obliged));
     }
     return decision;
-  }
-
-  @Override
-  public Visibility visibility(Caller caller) {
-    return guard.visibility(caller);
-  }
-
-  @Override
-  public Permissions permissions() {
-    return guard.permissions();
   }
 }

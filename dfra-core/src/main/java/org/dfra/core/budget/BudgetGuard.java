@@ -18,9 +18,8 @@ import org.dfra.security.AccessRequest;
 import org.dfra.security.CallUse;
 import org.dfra.security.Caller;
 import org.dfra.security.Decision;
+import org.dfra.security.ForwardingGuard;
 import org.dfra.security.Guard;
-import org.dfra.security.Permissions;
-import org.dfra.security.Visibility;
 
 /**
  * Refuses or slows the calls that another guard permits and that a budget has no room for. Calls
@@ -29,7 +28,7 @@ import org.dfra.security.Visibility;
  * <p>Bytes and processor time of a call are known when it has ended, so they count against the
  * calls that follow.
  */
-public final class BudgetGuard implements Guard {
+public final class BudgetGuard extends ForwardingGuard {
 
   private static final double NANOS_PER_SECOND = 1e9;
   private static final long SECOND = TimeUnit.SECONDS.toNanos(1);
@@ -107,13 +106,8 @@ public final class BudgetGuard implements Guard {
   }
 
   @Override
-  public Visibility visibility(Caller caller) {
-    return guard.visibility(caller);
-  }
-
-  @Override
-  public Permissions permissions() {
-    return guard.permissions();
+  protected Guard guard() {
+    return guard;
   }
 
   @Override

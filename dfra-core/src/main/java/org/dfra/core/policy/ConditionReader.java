@@ -139,7 +139,7 @@ final class ConditionReader {
         element,
         FACT.matcher(fact).matches()
             ? null
-            : "fact \"" + fact + "\" is no name; write it in small letters, such as load");
+            : "fact \"" + fact + "\" is no name; write it in lower case, such as load");
     return new FactIs(fact, value);
   }
 

@@ -39,14 +39,12 @@ import org.dfra.river.security.budget.UnlimitedCalls;
 import org.dfra.river.security.news.TeamNews;
 import org.dfra.river.security.robot.RobotState;
 import org.dfra.security.AccessRequest;
-import org.dfra.security.CallUse;
-import org.dfra.security.Caller;
 import org.dfra.security.Decision;
+import org.dfra.security.ForwardingGuard;
 import org.dfra.security.Guard;
 import org.dfra.security.Member;
 import org.dfra.security.MemberRole;
 import org.dfra.security.Permissions;
-import org.dfra.security.Visibility;
 import org.jspecify.annotations.Nullable;
 
 /** The parts of a process's identity that change while it runs: its policy, and who is revoked. */
@@ -204,7 +202,7 @@ final class ProcessIdentity {
   }
 
   /** The transport has it before the audit trail is there. */
-  private static final class ReplaceableGuard implements Guard {
+  private static final class ReplaceableGuard extends ForwardingGuard {
 
     private final boolean isClosed;
     private volatile Guard guard;
@@ -215,23 +213,13 @@ final class ProcessIdentity {
     }
 
     @Override
+    protected Guard guard() {
+      return guard;
+    }
+
+    @Override
     public Decision decide(AccessRequest request) {
       return guard.decide(request);
-    }
-
-    @Override
-    public Measurement measurement() {
-      return guard.measurement();
-    }
-
-    @Override
-    public void ended(AccessRequest request, CallUse use) {
-      guard.ended(request, use);
-    }
-
-    @Override
-    public Visibility visibility(Caller caller) {
-      return guard.visibility(caller);
     }
 
     /** A robot that has become closed goes on with what its members had begun. */

@@ -3,27 +3,18 @@ package org.dfra.river.security.budget;
 import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.rmi.Remote;
 import java.rmi.server.ExportException;
 import java.util.Arrays;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
-import java.util.UUID;
 import java.util.concurrent.atomic.LongAdder;
 import java.util.concurrent.locks.LockSupport;
-import net.jini.export.Exporter;
-import net.jini.id.Uuid;
-import net.jini.id.UuidFactory;
-import net.jini.jeri.BasicObjectEndpoint;
 import org.dfra.core.budget.BudgetGuard;
 import org.dfra.core.budget.ListenerPriority;
 import org.dfra.core.budget.RadioThinning;
 import org.dfra.river.call.DeadlineILFactory;
-import org.dfra.river.call.Endpoints;
-import org.dfra.river.call.JeriExporters;
 import org.dfra.river.call.PeerAddress;
+import org.dfra.river.call.ProcessObject;
 import org.dfra.river.transport.TransportTraffic;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -39,8 +30,11 @@ public final class ProcessBudgets implements BudgetMonitor {
 
   private static final Logger LOG = LoggerFactory.getLogger(ProcessBudgets.class);
 
-  /** The identity of {@link BudgetMonitor} in each process. It is no secret. */
-  private static final Uuid IDENTITY = identity("0f0c3f7e-52c4-4f1b-8a1e-6f1d7a3b9c55");
+  private static final ProcessObject<BudgetMonitor> MONITOR =
+      new ProcessObject<>(
+          "0f0c3f7e-52c4-4f1b-8a1e-6f1d7a3b9c55",
+          BudgetMonitor.class,
+          DeadlineILFactory.DEFAULT_DEADLINE);
 
   private static final String FILE = "radio";
 
@@ -53,8 +47,7 @@ public final class ProcessBudgets implements BudgetMonitor {
   @GuardedBy("this")
   private boolean isMeasuring;
 
-  @GuardedBy("this")
-  private final Set<String> exported = new HashSet<>(); // hosts
+  private final ProcessObject<BudgetMonitor>.Own monitor = MONITOR.own(this);
 
   /**
    * @param state the state folder, which all processes of the computer's robots share
@@ -62,11 +55,6 @@ public final class ProcessBudgets implements BudgetMonitor {
   public ProcessBudgets(BudgetGuard guard, Path state) {
     this.guard = guard;
     this.file = state.resolve(FILE);
-  }
-
-  private static Uuid identity(String text) {
-    UUID uuid = UUID.fromString(text);
-    return UuidFactory.create(uuid.getMostSignificantBits(), uuid.getLeastSignificantBits());
   }
 
   /** Which calls and listeners are admitted. */
@@ -136,7 +124,7 @@ public final class ProcessBudgets implements BudgetMonitor {
    * @param host address of this computer, as in its proxies
    */
   public void export(String host) throws ExportException {
-    export(host, 0);
+    monitor.export(host);
   }
 
   /**
@@ -144,24 +132,13 @@ public final class ProcessBudgets implements BudgetMonitor {
    *
    * @param port TCP port; 0 for that of everything that is exported at no other
    */
-  public synchronized void export(String host, int port) throws ExportException {
-    if (exported.add(host)) {
-      Exporter exporter =
-          JeriExporters.notKeepingAlive(
-              Endpoints.tcp(host, port), new DeadlineILFactory(), IDENTITY);
-      Remote unused = exporter.export(this);
-    }
+  public void export(String host, int port) throws ExportException {
+    monitor.export(host, port);
   }
 
   /** The budgets of another process. */
   public static BudgetMonitor at(PeerAddress process) {
-    return (BudgetMonitor)
-        DeadlineILFactory.proxy(
-            new BasicObjectEndpoint(
-                Endpoints.tcpClient(process.host(), process.port()), IDENTITY, false),
-            DeadlineILFactory.DEFAULT_DEADLINE,
-            ProcessBudgets.class.getClassLoader(),
-            BudgetMonitor.class);
+    return MONITOR.of(process);
   }
 
   @Override

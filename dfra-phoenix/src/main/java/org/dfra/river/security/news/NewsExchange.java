@@ -3,7 +3,6 @@ package org.dfra.river.security.news;
 import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.rmi.Remote;
 import java.rmi.server.ExportException;
 import java.security.cert.X509Certificate;
 import java.time.Duration;
@@ -14,23 +13,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
-import java.util.UUID;
 import java.util.concurrent.Callable;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
-import net.jini.export.Exporter;
-import net.jini.id.Uuid;
-import net.jini.id.UuidFactory;
-import net.jini.jeri.BasicObjectEndpoint;
 import org.dfra.core.audit.HeadStore;
 import org.dfra.core.audit.KeptHead;
 import org.dfra.core.time.BoundedThreads;
-import org.dfra.river.call.DeadlineILFactory;
-import org.dfra.river.call.Endpoints;
-import org.dfra.river.call.JeriExporters;
 import org.dfra.river.call.PeerAddress;
+import org.dfra.river.call.ProcessObject;
 import org.dfra.river.identity.TeamIdentity;
 import org.dfra.river.security.news.TeamNews.Numbers;
 import org.jspecify.annotations.Nullable;
@@ -47,12 +39,12 @@ public final class NewsExchange {
 
   private static final Logger LOG = LoggerFactory.getLogger(NewsExchange.class);
 
-  /** The identity of {@link TeamNews} in each process. It is no secret. */
-  private static final Uuid IDENTITY = identity("5e2f3a0c-4c7b-4b1e-9a55-0d3f0f6f7a21");
+  private static final ProcessObject<TeamNews> NEWS =
+      new ProcessObject<>(
+          "5e2f3a0c-4c7b-4b1e-9a55-0d3f0f6f7a21", TeamNews.class, Duration.ofSeconds(2));
 
   private static final int THREADS = 4;
   private static final int IDLE_SECONDS = 10;
-  private static final Duration DEADLINE = Duration.ofSeconds(2);
 
   /** Heads of audit trails are exchanged with a robot this often. */
   public static final Duration HEADS_PERIOD = Duration.ofSeconds(60);
@@ -65,7 +57,7 @@ public final class NewsExchange {
   private final Supplier<Numbers> own;
   private final String team;
   private final String ownRobot; // empty for a person
-  private final NewsService service;
+  private final ProcessObject<TeamNews>.Own service;
   private final ThreadPoolExecutor threads =
       BoundedThreads.create("dfra-news-", THREADS, IDLE_SECONDS);
 
@@ -79,9 +71,6 @@ public final class NewsExchange {
 
   @GuardedBy("this")
   private final Set<PeerAddress> underWay = new HashSet<>();
-
-  @GuardedBy("this")
-  private final Set<String> exported = new HashSet<>(); // hosts
 
   /**
    * @param folder with the identity, in the state folder
@@ -102,12 +91,7 @@ public final class NewsExchange {
     this.own = own;
     this.team = identity.member().team();
     this.ownRobot = identity.robot();
-    this.service = new NewsService(files, heads, own);
-  }
-
-  private static Uuid identity(String text) {
-    UUID uuid = UUID.fromString(text);
-    return UuidFactory.create(uuid.getMostSignificantBits(), uuid.getLeastSignificantBits());
+    this.service = NEWS.own(new NewsService(files, heads, own));
   }
 
   /**
@@ -116,13 +100,8 @@ public final class NewsExchange {
    *
    * @param host address of this computer, as in its proxies
    */
-  public synchronized void export(String host) throws ExportException {
-    if (exported.add(host)) {
-      Exporter exporter =
-          JeriExporters.notKeepingAlive(
-              Endpoints.tcp(host, 0), new DeadlineILFactory(DEADLINE.toMillis()), IDENTITY);
-      Remote unused = exporter.export(service);
-    }
+  public void export(String host) throws ExportException {
+    service.export(host);
   }
 
   /**
@@ -162,7 +141,7 @@ public final class NewsExchange {
    * @throws IOException if it cannot be asked, or does not take what the authority has signed
    */
   public Numbers exchangeNow(PeerAddress process) throws IOException {
-    TeamNews news = of(process);
+    TeamNews news = NEWS.of(process);
     Numbers unused = exchange(news);
     return news.numbers();
   }
@@ -186,7 +165,7 @@ public final class NewsExchange {
   private void exchange(String robot, PeerAddress process, boolean areHeadsDue) {
     Numbers theirs = null;
     try {
-      TeamNews news = of(process);
+      TeamNews news = NEWS.of(process);
       theirs = exchange(news);
       if (areHeadsDue && !heads.isRecent("robot " + robot + " of " + team, RECENT)) {
         exchangeHeads(news);
@@ -219,16 +198,6 @@ public final class NewsExchange {
     }
   }
 
-  private static TeamNews of(PeerAddress process) {
-    return (TeamNews)
-        DeadlineILFactory.proxy(
-            new BasicObjectEndpoint(
-                Endpoints.tcpClient(process.host(), process.port()), IDENTITY, false),
-            DEADLINE,
-            NewsExchange.class.getClassLoader(),
-            TeamNews.class);
-  }
-
   /** Gives another process the ends of the own audit trails, and keeps those of its own. */
   void exchangeHeads(TeamNews other) throws IOException {
     heads.take(other.exchangeHeads(heads.own()));
@@ -242,7 +211,7 @@ public final class NewsExchange {
    * @throws IOException if it does not answer, or with something else
    */
   public static List<KeptHead> keptBy(PeerAddress process, String member) throws IOException {
-    return HeadStore.parse(of(process).keptHeads(member), "the answer of " + process);
+    return HeadStore.parse(NEWS.of(process).keptHeads(member), "the answer of " + process);
   }
 
   /**

@@ -39,7 +39,7 @@ public record NamedFact(String name, String value, Instant set, String by) imple
   public static String requireName(String name) {
     if (!NAME.matcher(name).matches()) {
       throw new IllegalArgumentException(
-          "\"" + name + "\" is no name of a fact; write it in small letters, such as load");
+          "\"" + name + "\" is no name of a fact; write it in lower case, such as load");
     }
     return name;
   }

@@ -1,45 +1,24 @@
 package org.dfra.river.security.robot;
 
-import com.google.errorprone.annotations.concurrent.GuardedBy;
 import java.io.InvalidObjectException;
-import java.rmi.Remote;
 import java.rmi.server.ExportException;
 import java.time.Duration;
-import java.util.HashSet;
-import java.util.Set;
-import java.util.UUID;
-import net.jini.core.constraint.RemoteMethodControl;
-import net.jini.export.Exporter;
-import net.jini.id.Uuid;
-import net.jini.id.UuidFactory;
-import net.jini.jeri.BasicObjectEndpoint;
-import org.dfra.river.call.DeadlineILFactory;
-import org.dfra.river.call.Endpoints;
-import org.dfra.river.call.JeriExporters;
 import org.dfra.river.call.PeerAddress;
+import org.dfra.river.call.ProcessObject;
 import org.dfra.river.call.RobotAuthentication;
 
 /** Exports {@link PolicyControl} under an identity that is known, and finds it there. */
 public final class PolicyControls {
 
-  /** The identity of {@link PolicyControl} in each process. It is no secret. */
-  private static final Uuid IDENTITY = identity("b1a5f2a6-3c8e-4f5b-8d59-0c1f6c7b9a43");
+  private static final ProcessObject<PolicyControl> CONTROL =
+      new ProcessObject<>(
+          "b1a5f2a6-3c8e-4f5b-8d59-0c1f6c7b9a43", PolicyControl.class, Duration.ofSeconds(2));
 
-  private static final Duration DEADLINE = Duration.ofSeconds(2);
-
-  private final PolicyControl control;
-
-  @GuardedBy("this")
-  private final Set<String> exported = new HashSet<>(); // hosts
+  private final ProcessObject<PolicyControl>.Own control;
 
   /** For a process of a robot. */
   public PolicyControls(RobotState robot) {
-    this.control = robot.control();
-  }
-
-  private static Uuid identity(String text) {
-    UUID uuid = UUID.fromString(text);
-    return UuidFactory.create(uuid.getMostSignificantBits(), uuid.getLeastSignificantBits());
+    this.control = CONTROL.own(robot.control());
   }
 
   /**
@@ -48,13 +27,8 @@ public final class PolicyControls {
    *
    * @param host address of this computer, as in its proxies
    */
-  public synchronized void export(String host) throws ExportException {
-    if (exported.add(host)) {
-      Exporter exporter =
-          JeriExporters.notKeepingAlive(
-              Endpoints.tcp(host, 0), new DeadlineILFactory(DEADLINE.toMillis()), IDENTITY);
-      Remote unused = exporter.export(control);
-    }
+  public void export(String host) throws ExportException {
+    control.export(host);
   }
 
   /**
@@ -65,15 +39,6 @@ public final class PolicyControls {
    * @throws InvalidObjectException if no robot can have the name
    */
   public static PolicyControl of(String robot, PeerAddress process) throws InvalidObjectException {
-    return RobotAuthentication.require(
-        robot,
-        (PolicyControl)
-            DeadlineILFactory.proxy(
-                new BasicObjectEndpoint(
-                    Endpoints.tcpClient(process.host(), process.port()), IDENTITY, false),
-                DEADLINE,
-                PolicyControls.class.getClassLoader(),
-                PolicyControl.class,
-                RemoteMethodControl.class));
+    return RobotAuthentication.require(robot, CONTROL.of(process));
   }
 }
